@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/config/option.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+
+// One value as it was written, with the place where it stands.
+struct Setting {
+  std::string path;  // "robot.odometry.rotation_sigma"
+  std::string text;  // "2 deg", "[1 cm, 2 cm]", "counting"
+  Place place;
+};
+
+// What a file or `--set path=value` says; only what differs from the defaults.
+using Settings = std::vector<Setting>;
+
+// "a.b=value" from the command line. Throws InputError where there is no '='.
+Setting parse_setting(const std::string& assignment);
+
+// All leaves of a YAML file as dotted paths. Throws InputError on YAML errors and repeated keys.
+Settings load_settings(const std::string& yaml_path);
+
+// Writes the settings into the options they name, the later of two winning. Throws InputError on an
+// unknown path (with the nearest one), a wrong unit, a value that is no number, NaN, or the like.
+// `context` names the thing that has the options: "unknown key 'x' in scan_matching".
+void apply(const Settings& settings, const OptionList& options, const std::string& context);
+
+// The complete configuration, defaults included, as YAML with units and the meaning as comments.
+std::string to_yaml(const OptionList& options);
+
+}  // namespace mapbed

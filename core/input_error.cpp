@@ -1,0 +1,20 @@
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+std::string one_line(const Place& place, const std::string& reason, const std::string& remedy) {
+  std::string text = place.file;
+  if (place.line > 0) text += ":" + std::to_string(place.line);
+  if (!text.empty()) text += ": ";
+  text += reason;
+  if (!remedy.empty()) text += "; " + remedy;
+  return text;
+}
+
+}  // namespace
+
+InputError::InputError(const Place& place, const std::string& reason, const std::string& remedy)
+    : std::runtime_error(one_line(place, reason, remedy)) {}
+
+}  // namespace mapbed

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/pose2.h"
+
+namespace mapbed {
+
+// One sweep of a planar laser range finder.
+struct LaserScan {
+  double time = 0.0;  // [s] the log's own absolute stamp
+  int laser =
+      0;  // which of the robot's lasers: 0 front, 1 rear, further ones as the log counts them
+  Pose2 robot_from_laser;
+  double first_bearing = 0.0;      // [rad] of ranges[0], in the laser frame
+  double bearing_step = 0.0;       // [rad] from one beam to the next; positive: counter-clockwise
+  double max_range = 0.0;          // [m] a range of max_range or more means: nothing was hit
+  std::vector<double> ranges;      // [m] 0 or less: the beam failed and says nothing at all
+  std::vector<double> remissions;  // reflected intensity as the log has it; empty where it has none
+
+  double bearing(std::size_t beam) const {
+    return first_bearing + static_cast<double>(beam) * bearing_step;
+  }
+  bool is_hit(std::size_t beam) const { return ranges[beam] > 0.0 && ranges[beam] < max_range; }
+  bool is_max_range(std::size_t beam) const { return ranges[beam] >= max_range; }
+};
+
+}  // namespace mapbed
