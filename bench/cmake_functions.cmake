@@ -11,7 +11,7 @@ endmacro()
 add_library(mapbed_flags INTERFACE)
 # Contraction off and no -march=native: results must not depend on the processor.
 target_compile_options(mapbed_flags INTERFACE
-  -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off
+  -Wall -Wextra -Wconversion -Wshadow -Wno-restrict -ffp-contract=off  # g++ 12 sees -Wrestrict in std::string
   $<$<BOOL:${MAPBED_WERROR}>:-Werror>)
 add_library(mapbed::flags ALIAS mapbed_flags)
 install(TARGETS mapbed_flags EXPORT mapbed)
