@@ -1,7 +1,34 @@
 # The build's own functions: packages, warnings, libraries with their tests.
 
-# find_package with the Debian package in the error message.
+# find_package with the Debian package in the error message. What is found here is named by
+# `mapbed --version` and found again by programs that use an installed mapbed.
 macro(mapbed_package name debian_package)
+  find_package(${name} ${ARGN} QUIET)
+  if(NOT ${name}_FOUND)
+    message(FATAL_ERROR "${name} not found; install it with: apt-get install ${debian_package}")
+  endif()
+  set_property(GLOBAL APPEND PROPERTY mapbed_packages ${name})
+  set(mapbed_version_of_${name} "${${name}_VERSION}")
+  if(NOT mapbed_version_of_${name})
+    set(mapbed_version_of_${name} "${${name}_VERSION_STRING}")
+  endif()
+  if(mapbed_version_of_${name})
+    set_property(GLOBAL APPEND PROPERTY mapbed_library_versions "${name} ${mapbed_version_of_${name}}")
+  endif()
+endmacro()
+
+# A library of headers alone, without a CMake package: makes the target name::name.
+function(mapbed_headers name header debian_package)
+  find_path(${name}_INCLUDE_DIR ${header})
+  if(NOT ${name}_INCLUDE_DIR)
+    message(FATAL_ERROR "${header} not found; install it with: apt-get install ${debian_package}")
+  endif()
+  add_library(${name}::${name} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(${name}::${name} SYSTEM INTERFACE ${${name}_INCLUDE_DIR})
+endfunction()
+
+# What only the tests need: neither in `mapbed --version` nor needed by installed libraries.
+macro(mapbed_test_package name debian_package)
   find_package(${name} ${ARGN} QUIET)
   if(NOT ${name}_FOUND)
     message(FATAL_ERROR "${name} not found; install it with: apt-get install ${debian_package}")
@@ -11,7 +38,8 @@ endmacro()
 add_library(mapbed_flags INTERFACE)
 # Contraction off and no -march=native: results must not depend on the processor.
 target_compile_options(mapbed_flags INTERFACE
-  -Wall -Wextra -Wconversion -Wshadow -Wno-restrict -ffp-contract=off  # g++ 12 sees -Wrestrict in std::string
+  -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # g++ 12 sees -Wrestrict in std::string
   $<$<BOOL:${MAPBED_WERROR}>:-Werror>)
 add_library(mapbed::flags ALIAS mapbed_flags)
 install(TARGETS mapbed_flags EXPORT mapbed)
@@ -44,4 +72,47 @@ function(mapbed_library name)
     include(GoogleTest)
     gtest_discover_tests(mapbed_${name}_tests DISCOVERY_MODE PRE_TEST PROPERTIES LABELS unit)
   endif()
+endfunction()
+
+# mapbed_fuzz_target(settings_fuzz SOURCES settings_fuzz.cpp LINKS mapbed::core CORPUS testdata/fuzz_settings)
+# makes a libFuzzer program and a test (label fuzz) that starts from the files of CORPUS. Only in the
+# preset `fuzz`; a source of one defines LLVMFuzzerTestOneInput.
+function(mapbed_fuzz_target name)
+  if(NOT MAPBED_FUZZ)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "CORPUS" "SOURCES;LINKS" ${ARGN})
+  file(GLOB seeds ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_CORPUS}/*)
+  if(NOT seeds)
+    message(FATAL_ERROR "${name}: no seed files in ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_CORPUS}")
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/fuzz)
+  target_link_libraries(${name} PRIVATE mapbed::flags ${ARG_LINKS})
+  target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  set_property(GLOBAL APPEND PROPERTY mapbed_fuzz_targets
+    "${name}\;${CMAKE_CURRENT_SOURCE_DIR}/${ARG_CORPUS}")
+endfunction()
+
+# The tests of all fuzz targets; together they take MAPBED_FUZZ_SECONDS. New inputs are kept under
+# the build folder, those that fail in fuzz/failures-<name>-*.
+function(mapbed_fuzz_tests)
+  get_property(targets GLOBAL PROPERTY mapbed_fuzz_targets)
+  list(LENGTH targets count)
+  if(NOT MAPBED_FUZZ OR count EQUAL 0)
+    return()
+  endif()
+  math(EXPR seconds "${MAPBED_FUZZ_SECONDS} / ${count}")
+  add_custom_target(mapbed_fuzz)
+  foreach(target IN LISTS targets)
+    list(GET target 0 name)
+    list(GET target 1 seeds)
+    add_dependencies(mapbed_fuzz ${name})
+    file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/fuzz/found-${name})
+    add_test(NAME fuzz.${name} COMMAND ${name} -max_total_time=${seconds} -timeout=5
+      -rss_limit_mb=1024 -max_len=16384 -print_final_stats=1
+      -artifact_prefix=${CMAKE_BINARY_DIR}/fuzz/failures-${name}-
+      ${CMAKE_BINARY_DIR}/fuzz/found-${name} ${seeds})
+    set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz RUN_SERIAL ON)
+  endforeach()
 endfunction()
