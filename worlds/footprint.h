@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "worlds/world.h"
+
+namespace mapbed {
+
+// What a part covers in the plan, between two heights.
+struct Footprint {
+  int entity = 0;
+  int part = 0;
+  int material = 0;
+  // Convex or not, counter-clockwise; two points where a mesh triangle stands upright; empty: a
+  // circle.
+  std::vector<Eigen::Vector2d> outline;
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  // of the circle
+  double radius = 0.0;
+};
+
+// Of everything solid that reaches into the open band between the two heights, floor and door
+// leaves included. Upright boxes, cylinders and extrusions exactly; tilted ones and meshes as the
+// pieces of their triangles within the band.
+std::vector<Footprint> footprints(const World& world, double low, double high);
+std::vector<Footprint> footprints(const Entity& entity, int id, double low, double high);
+
+// From a point or a straight way to the footprint's border; 0 inside. [m]
+double distance_to(const Footprint& footprint, const Eigen::Vector2d& point);
+double distance_to(const Footprint& footprint, const Eigen::Vector2d& from,
+                   const Eigen::Vector2d& to);
+
+}  // namespace mapbed
