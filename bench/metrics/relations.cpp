@@ -1,0 +1,140 @@
+#include "bench/metrics/relations.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+#include "core/check.h"
+#include "core/geometry/angle.h"
+#include "core/input_error.h"
+#include "core/text_file.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kReach = 5.0;      // [s] a stamp further outside the estimate is skipped
+constexpr double kSameTime = 1e-9;  // [s] two poses closer than this have no way between them
+
+// Poses of equal stamps in an order of their own, so that the file's order does not matter.
+Trajectory sorted(Trajectory trajectory) {
+  const auto key = [](const StampedPose& p) {
+    return std::make_tuple(p.time, p.pose.x, p.pose.y, p.pose.theta);
+  };
+  std::sort(trajectory.begin(), trajectory.end(),
+            [&](const StampedPose& a, const StampedPose& b) { return key(a) < key(b); });
+  return trajectory;
+}
+
+std::size_t first_after(const Trajectory& trajectory, double time) {
+  const auto after =
+      std::upper_bound(trajectory.begin(), trajectory.end(), time,
+                       [](double t, const StampedPose& stamped) { return t < stamped.time; });
+  return static_cast<std::size_t>(after - trajectory.begin());
+}
+
+// Linearly between the neighbours; the outermost pose before and after the path.
+Pose2 held_pose_at(const Trajectory& trajectory, double time) {
+  if (trajectory.size() == 1) return trajectory.front().pose;
+  const std::size_t i =
+      std::clamp<std::size_t>(first_after(trajectory, time), 1, trajectory.size() - 1);
+  const StampedPose& a = trajectory[i - 1];
+  const StampedPose& b = trajectory[i];
+  const double duration = b.time - a.time;
+  const double share =
+      duration > kSameTime ? std::clamp((time - a.time) / duration, 0.0, 1.0) : 1.0;
+  return interpolate(a.pose, b.pose, share);
+}
+
+// `start` moved on as odometry did until the time at which odometry says `now`.
+Pose2 carried(const StampedPose& start, const Trajectory& odometry, const Pose2& now) {
+  return start.pose * motion_between(held_pose_at(odometry, start.time), now);
+}
+
+std::optional<Pose2> robot_at(const Trajectory& estimate, const Trajectory& odometry, double time) {
+  if (time < estimate.front().time - kReach || time > estimate.back().time + kReach) return {};
+  if (odometry.empty()) return held_pose_at(estimate, time);
+
+  const Pose2 now = held_pose_at(odometry, time);
+  const std::size_t i = first_after(estimate, time);
+  if (i == 0) return carried(estimate.front(), odometry, now);
+  const Pose2 p = carried(estimate[i - 1], odometry, now);
+  if (i == estimate.size()) return p;
+  const Pose2 q = carried(estimate[i], odometry, now);
+  const double duration = std::max(kSameTime, estimate[i].time - estimate[i - 1].time);
+  const double share = (time - estimate[i - 1].time) / duration;
+  return Pose2{p.x + share * (q.x - p.x), p.y + share * (q.y - p.y),
+               normalized_angle(p.theta + share * angle_difference(p.theta, q.theta))};
+}
+
+Relation parsed(std::string_view line, const Place& place) {
+  std::array<double, 8> field{};
+  for (double& number : field) {
+    const std::string_view word = next_word(line);
+    if (word.empty()) {
+      throw InputError(place, "a relation has 8 numbers",
+                       "write 't1 t2 x y z roll pitch yaw' in s, m and rad");
+    }
+    if (!parse_number(word, number)) {
+      throw InputError(place, "'" + std::string(word.substr(0, 40)) + "' is no number",
+                       "a relation is 't1 t2 x y z roll pitch yaw' in s, m and rad");
+    }
+  }
+  return {field[0], field[1], {field[2], field[3], normalized_angle(field[7])}};
+}
+
+}  // namespace
+
+std::vector<Relation> load_relations(const std::string& path) {
+  const std::string content = read_text_file(path);
+  std::vector<Relation> relations;
+  std::string_view rest = content;
+  for (long number = 1; !rest.empty(); ++number) {
+    std::string_view line = next_line(rest);
+    std::string_view words = line;
+    const std::string_view first = next_word(words);
+    if (first.empty() || first.starts_with('#')) continue;
+    relations.push_back(parsed(line, {path, number}));
+  }
+  if (relations.empty()) {
+    throw InputError({path}, "holds no relation", "a line is 't1 t2 x y z roll pitch yaw'");
+  }
+  return relations;
+}
+
+RelationsError relations_error(const Trajectory& estimate, const std::vector<Relation>& relations,
+                               const Trajectory& odometry) {
+  CHECK(!estimate.empty());
+  const Trajectory path = sorted(estimate);
+  const Trajectory dead_reckoning = sorted(odometry);
+
+  RelationsError result;
+  std::vector<double> offsets;
+  double turned = 0.0;
+  for (const Relation& relation : relations) {
+    const std::optional<Pose2> a = robot_at(path, dead_reckoning, relation.from_time);
+    const std::optional<Pose2> b = robot_at(path, dead_reckoning, relation.to_time);
+    if (!a || !b) {
+      ++result.skipped;
+      continue;
+    }
+    const Pose2 error = motion_between(relation.from_to, motion_between(*a, *b));
+    offsets.push_back(std::hypot(error.x, error.y));
+    turned += std::abs(error.theta);
+  }
+
+  result.count = static_cast<int>(offsets.size());
+  const double n = result.count > 0 ? result.count : std::numeric_limits<double>::quiet_NaN();
+  double sum = 0.0;
+  for (const double offset : offsets) sum += offset;
+  result.mean_translation = sum / n;
+  double squares = 0.0;
+  for (const double offset : offsets) squares += std::pow(offset - result.mean_translation, 2);
+  result.sigma_translation = std::sqrt(squares / n);
+  result.mean_rotation = turned / n;
+  return result;
+}
+
+}  // namespace mapbed
