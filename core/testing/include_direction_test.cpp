@@ -1,0 +1,220 @@
+// An include root shared by all would let every folder include every other. This test reads each
+// #include of the tree and fails on one against the direction of the data: core <- worlds, robots,
+// algorithms <- sim <- bench, the chapters of algorithms/ as listed, third-party headers where
+// they belong.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace mapbed {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using Folders = std::set<std::string>;
+
+// Which of the top folders a top folder may include, besides itself.
+const std::map<std::string, Folders> kBelow = {
+    {"core", {}},
+    {"worlds", {"core"}},
+    {"robots", {"core"}},
+    {"algorithms", {"core"}},
+    {"sim", {"core", "worlds", "robots"}},
+    {"bench", {"core", "worlds", "robots", "sim", "algorithms"}},
+};
+
+// Chapters on which other chapters build; every chapter may use grid and scan_matching besides.
+const Folders kSharedChapters = {"localization", "pose_graph"};
+const std::map<std::string, Folders> kChapters = {
+    {"grid", {}},
+    {"scan_matching", {}},
+    {"registration3d", {}},
+    {"localization", {}},
+    {"pose_graph", {}},
+    {"surface", {}},
+    {"nonrigid", {}},
+    {"people", kSharedChapters},
+    {"dynamic_em", kSharedChapters},
+    {"rbpf", kSharedChapters},
+    {"lazy_association", kSharedChapters},
+    {"rfid", kSharedChapters},
+    {"exploration", {"registration3d", "surface"}},
+    {"flight", {"registration3d", "surface"}},
+};
+
+// Third-party headers that belong to one place, in source files only.
+struct Confined {
+  std::string header;               // how the include begins
+  std::vector<std::string> places;  // how the path of an including file begins
+};
+const std::vector<Confined> kConfined = {
+    {"yaml-cpp/", {"core/config/"}},
+    {"png.h", {"core/image/"}},
+    {"embree", {"sim/scene/"}},
+    {"box2d/", {"sim/physics/"}},
+    {"btBullet", {"sim/physics/"}},
+    {"bullet/", {"sim/physics/"}},
+    {"GL/", {"sim/render/"}},
+    {"opencv2/", {"bench/report/"}},
+    {"benchmark/", {"bench/micro/"}},
+    {"CLI/", {"bench/cli/"}},
+    {"gtest/", {"core/testing/"}},
+    {"gmock/", {"core/testing/"}},
+    {"nlohmann/", {"bench/", "core/"}},
+    {"zlib.h", {"core/"}},
+    {"Random123/", {"core/random.cpp"}},
+};
+
+bool begins_with(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string first_part(const std::string& path) {
+  return path.substr(0, path.find('/'));
+}
+
+// "rbpf" of "algorithms/rbpf/grid_slam.h"; nothing for a file that stands in algorithms/ itself.
+std::string chapter_of(const std::string& path) {
+  if (!begins_with(path, "algorithms/")) return "";
+  const std::string rest = path.substr(std::string("algorithms/").size());
+  return rest.find('/') == std::string::npos ? "" : first_part(rest);
+}
+
+bool is_test(const std::string& path) {
+  return ends_with(path, "_test.cpp") || begins_with(path, "core/testing/");
+}
+
+// Why the file may not include the project's own header; empty where it may.
+std::string objection_to_own(const std::string& file, const std::string& header) {
+  const std::string from = first_part(file);
+  const std::string to = first_part(header);
+  if (!kBelow.contains(to)) return "is not a path from the root of the tree";
+  if (from != to && !kBelow.at(from).contains(to)) return from + " may not know " + to;
+  if (begins_with(header, "core/testing/") && !is_test(file)) return "is for tests only";
+  const std::string chapter = chapter_of(file);
+  const std::string other = chapter_of(header);
+  if (chapter.empty() || other.empty() || chapter == other) return "";
+  if (!kChapters.contains(chapter)) return "chapter " + chapter + " is not listed in this test";
+  if (other == "grid") return "";
+  if (other == "scan_matching" && chapter != "grid") return "";
+  if (kChapters.at(chapter).contains(other)) return "";
+  return "chapter " + chapter + " may not know chapter " + other;
+}
+
+// The same for <…>: the standard library and Eigen everywhere, others in source files only.
+std::string objection_to_other(const std::string& file, const std::string& header) {
+  const bool of_cpp = header.find('/') == std::string::npos && !ends_with(header, ".h");
+  if (of_cpp || begins_with(header, "Eigen/")) return "";
+  if (is_test(file)) {
+    if (begins_with(header, "gtest/") || begins_with(header, "gmock/")) return "";
+  }
+  for (const Confined& rule : kConfined) {
+    if (!begins_with(header, rule.header)) continue;
+    const auto holds = [&](const std::string& place) { return begins_with(file, place); };
+    if (std::none_of(rule.places.begin(), rule.places.end(), holds)) {
+      return "belongs in " + rule.places.front() + " only";
+    }
+  }
+  const bool of_system = begins_with(header, "sys/") || header.find('/') == std::string::npos;
+  if (ends_with(file, ".h") && !of_system) return "third-party headers belong in .cpp files";
+  return "";
+}
+
+// "file:line: <header> reason" for each include that is against the rules.
+std::vector<std::string> objections_to(const std::string& file, std::istream& text) {
+  static const std::regex include(R"re(^\s*#\s*include\s*(["<])([^">]+)[">].*)re");
+  std::vector<std::string> found;
+  std::string line;
+  for (int number = 1; std::getline(text, line); ++number) {
+    if (line.find("include") == std::string::npos) continue;
+    std::smatch match;
+    if (!std::regex_match(line, match, include)) continue;
+    const std::string header = match[2];
+    const bool own = match[1] == "\"";
+    const std::string why = own ? objection_to_own(file, header) : objection_to_other(file, header);
+    if (!why.empty())
+      found.push_back(file + ":" + std::to_string(number) + ": " + header + " " + why);
+  }
+  return found;
+}
+
+std::vector<std::string> objections_to(const std::string& file, const std::string& text) {
+  std::istringstream stream(text);
+  return objections_to(file, stream);
+}
+
+TEST(IncludeDirection, HoldsInTheWholeTree) {
+  const fs::path root = MAPBED_SOURCE_DIR;
+  std::vector<std::string> found;
+  int files = 0;
+  for (const auto& [folder, below] : kBelow) {
+    if (!fs::exists(root / folder)) continue;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
+      const std::string extension = entry.path().extension();
+      if (extension != ".h" && extension != ".cpp") continue;
+      std::ifstream text(entry.path());
+      const auto more = objections_to(fs::relative(entry.path(), root).generic_string(), text);
+      found.insert(found.end(), more.begin(), more.end());
+      ++files;
+    }
+  }
+  EXPECT_THAT(found, IsEmpty());
+  EXPECT_GT(files, 20) << "looked in the wrong place: " << root;
+}
+
+TEST(IncludeDirection, KeepsTheTruthFromAlgorithms) {
+  EXPECT_THAT(
+      objections_to("algorithms/rbpf/grid_slam.cpp", "#include \"sim/truth.h\"\n"),
+      ElementsAre("algorithms/rbpf/grid_slam.cpp:1: sim/truth.h algorithms may not know sim"));
+}
+
+TEST(IncludeDirection, KeepsChaptersApartButForThoseTheyBuildOn) {
+  EXPECT_THAT(
+      objections_to("algorithms/rbpf/grid_slam.h", "#include \"algorithms/people/legs.h\"\n"),
+      ElementsAre("algorithms/rbpf/grid_slam.h:1: algorithms/people/legs.h chapter rbpf may "
+                  "not know chapter people"));
+  EXPECT_THAT(objections_to("algorithms/rbpf/grid_slam.h",
+                            "#include \"algorithms/grid/counting_map.h\"\n"
+                            "#include \"algorithms/pose_graph/graph.h\"\n"),
+              IsEmpty());
+  EXPECT_THAT(objections_to("algorithms/grid/counting_map.h",
+                            "#include \"algorithms/scan_matching/scan_matcher.h\"\n"),
+              ElementsAre(::testing::HasSubstr("grid may not know chapter scan_matching")));
+}
+
+TEST(IncludeDirection, KeepsThirdPartyHeadersInSourcesOfTheirFolder) {
+  EXPECT_THAT(objections_to("sim/scene/ray_caster.cpp", "#include <embree3/rtcore.h>\n"),
+              IsEmpty());
+  EXPECT_THAT(objections_to("sim/scene/ray_caster.h", "#include <embree3/rtcore.h>\n"),
+              ElementsAre(::testing::HasSubstr("belong in .cpp files")));
+  EXPECT_THAT(objections_to("sim/recorder.cpp", "#include <box2d/box2d.h>\n"),
+              ElementsAre(::testing::HasSubstr("belongs in sim/physics/ only")));
+  EXPECT_THAT(objections_to("core/geometry/pose2.h", "#include <Eigen/Core>\n#include <vector>\n"),
+              IsEmpty());
+}
+
+TEST(IncludeDirection, KeepsTestHelpersInTests) {
+  EXPECT_THAT(objections_to("core/log/carmen_log.cpp", "#include \"core/testing/is_near.h\"\n"),
+              ElementsAre(::testing::HasSubstr("is for tests only")));
+  EXPECT_THAT(
+      objections_to("core/log/carmen_log_test.cpp", "#include \"core/testing/is_near.h\"\n"),
+      IsEmpty());
+}
+
+}  // namespace
+}  // namespace mapbed
