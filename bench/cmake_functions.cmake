@@ -52,6 +52,11 @@ if(MAPBED_TESTS)
   target_precompile_headers(mapbed_test_pch PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Dense>)
 endif()
 
+# All tests with the label unit.
+if(MAPBED_TESTS)
+  add_custom_target(mapbed_unit_tests)
+endif()
+
 # mapbed_library(core SOURCES a.cpp … TESTS a_test.cpp … TEST_LINKS … PUBLIC_LINKS … PRIVATE_LINKS …)
 # makes mapbed_core (alias mapbed::core) and, where tests are built, mapbed_core_tests.
 function(mapbed_library name)
@@ -63,6 +68,10 @@ function(mapbed_library name)
   target_include_directories(mapbed_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mapbed>)
   target_link_libraries(mapbed_${name} PUBLIC ${ARG_PUBLIC_LINKS} PRIVATE mapbed::flags ${ARG_PRIVATE_LINKS})
+  install(TARGETS mapbed_${name} EXPORT mapbed)
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  install(DIRECTORY ./ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mapbed/${folder}
+    FILES_MATCHING PATTERN "*.h" PATTERN testing EXCLUDE PATTERN testdata EXCLUDE PATTERN install_test EXCLUDE)
   if(MAPBED_TESTS AND ARG_TESTS)
     add_executable(mapbed_${name}_tests ${ARG_TESTS})
     target_precompile_headers(mapbed_${name}_tests REUSE_FROM mapbed_test_pch)
@@ -70,8 +79,26 @@ function(mapbed_library name)
       mapbed::${name} mapbed::flags GTest::gtest GTest::gmock GTest::gmock_main ${ARG_TEST_LINKS})
     target_compile_definitions(mapbed_${name}_tests PRIVATE MAPBED_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     include(GoogleTest)
+    add_dependencies(mapbed_unit_tests mapbed_${name}_tests)
     gtest_discover_tests(mapbed_${name}_tests DISCOVERY_MODE PRE_TEST PROPERTIES LABELS unit)
   endif()
+endfunction()
+
+# What find_package(mapbed) reads; it looks for the same packages as this build did.
+function(mapbed_install_package)
+  include(CMakePackageConfigHelpers)
+  get_property(packages GLOBAL PROPERTY mapbed_packages)
+  list(REMOVE_DUPLICATES packages)
+  list(TRANSFORM packages REPLACE "(.+)" "find_dependency(\\1)")
+  list(JOIN packages "\n" find_dependencies)
+  set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/mapbed)
+  configure_package_config_file(bench/mapbed-config.cmake.in ${CMAKE_BINARY_DIR}/mapbed-config.cmake
+    INSTALL_DESTINATION ${folder})
+  write_basic_package_version_file(${CMAKE_BINARY_DIR}/mapbed-config-version.cmake
+    COMPATIBILITY SameMinorVersion)
+  install(FILES ${CMAKE_BINARY_DIR}/mapbed-config.cmake ${CMAKE_BINARY_DIR}/mapbed-config-version.cmake
+    DESTINATION ${folder})
+  install(EXPORT mapbed NAMESPACE mapbed:: FILE mapbed-targets.cmake DESTINATION ${folder})
 endfunction()
 
 # mapbed_fuzz_target(settings_fuzz SOURCES settings_fuzz.cpp LINKS mapbed::core CORPUS testdata/fuzz_settings)
