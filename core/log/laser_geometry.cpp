@@ -1,0 +1,152 @@
+#include "core/log/laser_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/angle.h"
+#include "core/log/fields.h"
+
+namespace mapbed {
+namespace {
+
+std::optional<double> parameter(const RecordedLog& log, const std::string& name) {
+  const auto found = log.parameters.find(name);
+  if (found == log.parameters.end()) return std::nullopt;
+  Fields fields(found->second);
+  const double value = fields.number();
+  if (!fields.ok() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+const char* side(int laser) {
+  return laser == 1 ? "rear" : "front";
+}
+
+// In degrees; 0: no laser that we know.
+double usual_step(std::size_t beams) {
+  switch (beams) {
+    case 180:
+    case 181:
+      return 1.0;
+    case 360:
+    case 361:
+    case 540:
+    case 541:
+      return 0.5;
+    case 401:
+    case 720:
+    case 721:
+    case 1081:
+      return 0.25;
+    case 681:
+    case 682:
+      return 360.0 / 1024.0;
+    default:
+      return 0.0;
+  }
+}
+
+// The field of view of n beams ends where one more beam would stand if n is even (180 of 181).
+double usual_first(std::size_t beams, double step) {
+  const bool cut = beams == 180 || beams == 360 || beams == 540 || beams == 720;
+  return -0.5 * step * static_cast<double>(cut ? beams : beams - 1);
+}
+
+// A pile of equal readings at the upper end of the scale.
+std::optional<double> pile_at_the_top(std::vector<double>& upper_half) {
+  if (upper_half.empty()) return std::nullopt;
+  std::sort(upper_half.begin(), upper_half.end());
+  double best = 0.0;
+  std::ptrdiff_t most = 0;
+  std::ptrdiff_t second = 0;
+  for (auto run = upper_half.begin(); run != upper_half.end();) {
+    const auto end = std::upper_bound(run, upper_half.end(), *run);
+    const std::ptrdiff_t count = end - run;
+    if (count >= most) {
+      second = most;
+      most = count;
+      best = *run;
+    } else {
+      second = std::max(second, count);
+    }
+    run = end;
+  }
+  const bool at_the_top = best >= 0.99 * upper_half.back();
+  return at_the_top && most >= 10 && most >= 10 * second ? std::optional(best) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Bearings> bearings_of(std::size_t beams, int laser, const RecordedLog& log,
+                                    const LogOptions& options) {
+  if (beams < 2) return std::nullopt;
+  const double gaps = static_cast<double>(beams - 1);
+  const std::string prefix = std::string("laser_") + side(laser) + "_laser_";
+  double step = radians(usual_step(beams));
+  double first = usual_first(beams, step);
+  if (const auto resolution = parameter(log, prefix + "resolution");
+      resolution && *resolution > 0.0 && step == 0.0) {
+    step = radians(*resolution);
+    first = -0.5 * step * gaps;
+  }
+  if (const auto fov = parameter(log, prefix + "fov"); fov && *fov > 0.0 && *fov <= 360.0) {
+    // Stated as 180 for 180 beams of 1 deg and for 181 alike: the step decides which it is.
+    const double stated = radians(*fov);
+    const bool closed = step == 0.0 || std::abs(step * gaps - stated) < 0.5 * step;
+    if (closed || std::abs(step * (gaps + 1.0) - stated) > 0.5 * step) step = stated / gaps;
+    first = -0.5 * stated;
+  }
+  if (options.bearing_step != 0.0) {
+    step = options.bearing_step;
+    first = -0.5 * step * gaps;
+  }
+  if (options.field_of_view > 0.0) {
+    if (options.bearing_step == 0.0) step = options.field_of_view / gaps;
+    first = -0.5 * options.field_of_view;
+  }
+  if (!options.first_bearing.empty()) first = options.first_bearing[0];
+  if (step == 0.0) return std::nullopt;
+  return Bearings{first, step};
+}
+
+Pose2 mount_of(int laser, const RecordedLog& log, const LogOptions& options) {
+  const auto& given = laser == 1 ? options.robot_from_rear_laser : options.robot_from_laser;
+  if (laser <= 1 && !given.empty()) return {given[0], given[1], normalized_angle(given[2])};
+  const std::string prefix = std::string("robot_") + side(laser) + "laser_";
+  Pose2 mount;
+  if (laser <= 1) {
+    mount.x = parameter(log, prefix + "offset").value_or(0.0);
+    mount.y = parameter(log, prefix + "side_offset").value_or(0.0);
+    mount.theta = parameter(log, prefix + "angular_offset").value_or(0.0);
+  }
+  // CARMEN states a rear laser's distance behind the centre as a negative offset.
+  if (laser == 1) mount.theta += kPi;
+  mount.theta = normalized_angle(mount.theta);
+  return mount;
+}
+
+double max_range_of(const std::vector<const LaserScan*>& scans, double stated) {
+  double top = 0.0;
+  for (const LaserScan* scan : scans)
+    for (const double r : scan->ranges)
+      if (std::isfinite(r)) top = std::max(top, r);
+
+  for (const double code : {81.83, 8.183, 32.759}) {
+    const double last = code + (code > 80.0 ? 0.08 : 0.008);
+    if (top >= code - 1e-6 && top <= last + 1e-6)
+      return stated > 0.0 ? std::min(code, stated) : code;
+  }
+
+  std::vector<double> upper_half;
+  for (const LaserScan* scan : scans)
+    for (const double r : scan->ranges)
+      if (std::isfinite(r) && r > 0.5 * top) upper_half.push_back(r);
+  if (const auto pile = pile_at_the_top(upper_half))
+    return stated > 0.0 ? std::min(*pile, stated) : *pile;
+  if (stated > 0.0) return stated;
+  for (const double usual : {8.0, 16.0, 30.0, 50.0, 81.83})
+    if (top < usual) return usual;
+  return std::nextafter(top, INFINITY);
+}
+
+}  // namespace mapbed

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/log/log_file.h"
+
+// What a scan needs beside its ranges, where its line does not have it.
+
+namespace mapbed {
+
+// The bearings of a scan. The options win, then PARAM laser_front_laser_fov and
+// laser_front_laser_resolution ([deg]; rear likewise), then the number of beams as the lasers of
+// CARMEN logs have it, counter-clockwise from -fov/2:
+//
+//   180, 181     1    deg from -90 deg      540, 541    0.5  deg from -135 deg
+//   360, 361     0.5  deg from -90 deg      401         0.25 deg from -50 deg
+//   720, 721     0.25 deg from -90 deg      1081        0.25 deg from -135 deg
+//   681, 682     360/1024 deg about the front
+//
+// With 180 beams the last one is thus at +89 deg: CARMEN cuts the 181st beam of the scanner off.
+struct Bearings {
+  double first = 0.0;  // [rad]
+  double step = 0.0;   // [rad]
+};
+std::optional<Bearings> bearings_of(std::size_t beams, int laser, const RecordedLog& log,
+                                    const LogOptions& options);
+
+// Where a laser stands on the robot. The options win, then PARAM robot_frontlaser_offset or
+// robot_rearlaser_offset (with _side_offset and _angular_offset); otherwise the robot's centre. A
+// rear laser (1) looks backwards.
+Pose2 mount_of(int laser, const RecordedLog& log, const LogOptions& options);
+
+// From which reading on nothing was hit. The option wins; else the smaller of what the log states
+// (the line, or PARAM robot_front_laser_max or laser_front_laser_max_range) and what the readings
+// show:
+//   - a reading of 81.83 to 81.91 m, 8.183 to 8.191 m or 32.759 to 32.767 m is one of the nine
+//   error
+//     codes of the SICK scanners in cm or mm, which end their scale: 81.83, 8.183, 32.759;
+//   - otherwise a value that is the largest one, within 1 %, and comes up ten times as often as
+//     any other in the upper half of the scale, and at least ten times.
+// Where neither is there, all readings count as hits and the next of 8, 16, 30, 50, 81.83 m above
+// them is the maximum range.
+double max_range_of(const std::vector<const LaserScan*>& scans, double stated);
+
+}  // namespace mapbed

@@ -1,0 +1,254 @@
+#include "core/log/log_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/check.h"
+#include "core/geometry/angle.h"
+#include "core/log/laser_geometry.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kAbsurdRange = 1000.0;  // [m]
+
+void check_options(const LogOptions& o) {
+  const auto refuse = [](const std::string& name, const std::string& what) {
+    throw InputError({}, "log option " + name + " " + what);
+  };
+  if (o.first_bearing.size() > 1) refuse("first_bearing", "takes one number or none");
+  for (const auto* mount : {&o.robot_from_laser, &o.robot_from_rear_laser})
+    if (!mount->empty() && mount->size() != 3)
+      refuse(mount == &o.robot_from_laser ? "robot_from_laser" : "robot_from_rear_laser",
+             "takes three numbers, x, y, theta, or none");
+  if (!(o.field_of_view >= 0.0 && o.field_of_view <= 2.0 * kPi + 1e-9))
+    refuse("field_of_view", "must be from 0 to 360 deg");
+  if (!(o.max_range >= 0.0)) refuse("max_range", "must not be negative");
+  if (!(o.reorder_within >= 0.0)) refuse("reorder_within", "must not be negative");
+  if (!(o.scan_period > 0.0)) refuse("scan_period", "must be positive");
+  if (!(o.wheels.wheel_radius > 0.0 && o.wheels.half_track > 0.0 && o.wheels.ticks_per_turn > 0.0))
+    refuse("wheels", "must have a positive radius, track and number of ticks");
+}
+
+bool earlier(const Measurement& a, const Measurement& b) {
+  return time_of(a) < time_of(b);
+}
+
+double stated_max_range(const RecordedLog& log, int laser) {
+  const char* const names[][2] = {{"robot_front_laser_max", "laser_front_laser_max_range"},
+                                  {"robot_rear_laser_max", "laser_rear_laser_max_range"}};
+  for (const char* name : names[laser == 1]) {
+    const auto found = log.parameters.find(name);
+    if (found == log.parameters.end()) continue;
+    const double value = std::strtod(found->second.c_str(), nullptr);
+    if (value > 0.0 && value <= kAbsurdRange) return value;
+  }
+  return 0.0;
+}
+
+void complete_max_range(RecordedLog& log, const LogOptions& options) {
+  std::map<int, std::vector<const LaserScan*>> scans_of;
+  for (const Measurement& m : log.measurements)
+    if (const auto* scan = std::get_if<LaserScan>(&m)) scans_of[scan->laser].push_back(scan);
+  std::map<int, double> max_of;
+  for (const auto& [laser, scans] : scans_of) {
+    double stated = scans.front()->max_range;
+    for (const LaserScan* scan : scans) stated = std::max(stated, scan->max_range);
+    if (stated == 0.0) stated = stated_max_range(log, laser);
+    max_of[laser] = options.max_range > 0.0 ? options.max_range : max_range_of(scans, stated);
+  }
+  for (Measurement& m : log.measurements) {
+    auto* scan = std::get_if<LaserScan>(&m);
+    if (scan == nullptr) continue;
+    scan->max_range = max_of[scan->laser];
+    for (double& r : scan->ranges)
+      if (std::isinf(r)) r = scan->max_range;
+  }
+}
+
+// All scans at one time: the stamps were lost.
+bool stamps_are_lost(const SensorLog& log) {
+  double first = NAN;
+  int scans = 0;
+  for (const Measurement& m : log) {
+    if (!std::holds_alternative<LaserScan>(m)) continue;
+    if (scans++ == 0) first = time_of(m);
+    if (time_of(m) != first) return false;
+  }
+  return scans > 1;
+}
+
+// Scan k at k periods; what stands between two scans in the file belongs to the later one.
+void make_up_stamps(SensorLog& log, double period) {
+  double time = 0.0;
+  for (Measurement& m : log) {
+    std::visit([&](auto& measurement) { measurement.time = time; }, m);
+    if (std::holds_alternative<LaserScan>(m)) time += period;
+  }
+}
+
+}  // namespace
+
+LogBuilder::LogBuilder(std::string name, const LogOptions& options)
+    : name_(std::move(name)), options_(options) {
+  check_options(options);
+}
+
+void LogBuilder::warn(long line, const std::string& reason) {
+  const auto [found, is_new] = warning_of_reason_.try_emplace(reason, log_.warnings.size());
+  if (is_new)
+    log_.warnings.push_back({{name_, line}, reason, 1});
+  else
+    ++log_.warnings[found->second].count;
+}
+
+void LogBuilder::broken(long line, const std::string& reason) {
+  if (broken_++ == 0) first_broken_ = {{name_, line}, reason, 1};
+  warn(line, reason);
+}
+
+bool LogBuilder::stamp_is_usable(double time, long line) {
+  ++messages_;
+  if (!std::isfinite(time) || std::abs(time) > 1e12) {
+    broken(line, "time stamp that is no time: line left out");
+    return false;
+  }
+  if (newest_ - time > options_.reorder_within) {
+    // One such line alone is a damaged stamp; a second one in a row, and the clock was set back.
+    if (line_gone_back_ != 0 && line_gone_back_ != line)
+      throw InputError({name_, line_gone_back_},
+                       fmt::format("the time goes back by {:.3f} s, from {:.6f} to {:.6f}",
+                                   newest_ - time, newest_, time),
+                       "cut the log there, use the other stamp (stamp) or raise reorder_within");
+    if (line_gone_back_ != line)
+      warn(line, "time stamp far older than those around it: message left out");
+    line_gone_back_ = line;
+    return false;
+  }
+  line_gone_back_ = 0;
+  if (time < newest_) {
+    warn(line, "time stamp older than one before it: put in order");
+    out_of_order_ = true;
+  }
+  newest_ = std::max(newest_, time);
+  return true;
+}
+
+void LogBuilder::clean_ranges(LaserScan& scan, long line) {
+  for (double& r : scan.ranges) {
+    if (r >= 0.0 && r <= kAbsurdRange) continue;
+    if (r == INFINITY) continue;  // "nothing was hit", as some drivers write it
+    warn(line, "absurd range (negative, not a number or above 1 km): beam ignored");
+    r = 0.0;
+  }
+}
+
+void LogBuilder::add(Odometry odometry, long line) {
+  if (!stamp_is_usable(odometry.time, line)) return;
+  const Pose2& pose = odometry.odometry_from_robot;
+  if (!is_finite(pose) || std::abs(pose.x) > 1e7 || std::abs(pose.y) > 1e7) {
+    broken(line, "odometry that is no pose: left out");
+    return;
+  }
+  odometry.odometry_from_robot.theta = normalized_angle(pose.theta);
+  log_.measurements.emplace_back(odometry);
+}
+
+void LogBuilder::add(LaserScan scan, long line) {
+  if (!stamp_is_usable(scan.time, line)) return;
+  if (scan.ranges.empty()) {
+    broken(line, "scan without beams: left out");
+    return;
+  }
+  clean_ranges(scan, line);
+  const auto [last, is_first] = last_scan_of_laser_.try_emplace(scan.laser);
+  if (!is_first && last->second.time == scan.time) warn(line, "same time stamp as the scan before");
+  if (!is_first && last->second.beams != scan.ranges.size())
+    warn(line, "number of beams differs from the scan before");
+  last->second = {scan.time, scan.ranges.size()};
+  first_line_of_beams_.try_emplace(scan.ranges.size(), line);
+  ++scans_;
+  log_.measurements.emplace_back(std::move(scan));
+}
+
+void LogBuilder::add_true_pose(const StampedPose& pose, long line) {
+  if (!std::isfinite(pose.time) || !is_finite(pose.pose)) {
+    broken(line, "true pose that is no pose: left out");
+    return;
+  }
+  log_.true_poses.push_back(pose);
+  log_.true_poses.back().pose.theta = normalized_angle(pose.pose.theta);
+}
+
+void LogBuilder::set_parameter(std::string name, std::string value) {
+  log_.parameters[std::move(name)] = std::move(value);
+}
+
+// What the lines left open. Scans of which the bearings are not known are left out, unless they are
+// the larger part: then it is not for us to guess.
+void LogBuilder::complete_geometry() {
+  const bool given = options_.bearing_step != 0.0 || options_.field_of_view > 0.0 ||
+                     !options_.first_bearing.empty();
+  std::map<std::size_t, long> unknown;  // scans by number of beams
+  std::erase_if(log_.measurements, [&](Measurement& measurement) {
+    auto* scan = std::get_if<LaserScan>(&measurement);
+    if (scan == nullptr) return false;
+    const bool detect = scan->bearing_step == 0.0;
+    if (detect ||
+        !(scan->laser == 1 ? options_.robot_from_rear_laser : options_.robot_from_laser).empty())
+      scan->robot_from_laser = mount_of(scan->laser, log_, options_);
+    if (!detect && !given) return false;
+    const auto bearings = bearings_of(scan->ranges.size(), scan->laser, log_, options_);
+    if (!bearings) {
+      ++unknown[scan->ranges.size()];
+      return true;
+    }
+    scan->first_bearing = bearings->first;
+    scan->bearing_step = bearings->step;
+    return false;
+  });
+  for (const auto& [beams, count] : unknown) {
+    const long line = first_line_of_beams_.at(beams);
+    const std::string reason = fmt::format("the field of view of {} beams is not known", beams);
+    if (2 * count > scans_)
+      throw InputError({name_, line}, reason, "set field_of_view, or bearing_step");
+    warn(line, reason + ": scan left out");
+    log_.warnings.back().count = count;
+  }
+}
+
+void LogBuilder::check_counts() const {
+  const bool any = std::any_of(log_.measurements.begin(), log_.measurements.end(),
+                               [](auto& m) { return std::holds_alternative<LaserScan>(m); });
+  if (!any && broken_ == 0)
+    throw InputError({name_}, "holds no laser scan",
+                     "a map needs lines such as FLASER or ROBOTLASER1");
+  if (!any || (broken_ > 1 && 10 * broken_ > messages_ + broken_))
+    throw InputError(first_broken_.place,
+                     fmt::format("{} ({} of {} messages are broken)", first_broken_.reason, broken_,
+                                 messages_ + broken_),
+                     "the file is damaged or not of this format; fetch it again");
+}
+
+RecordedLog LogBuilder::finish(const std::string& format) {
+  log_.format = format;
+  complete_geometry();
+  check_counts();
+  complete_max_range(log_, options_);
+  if (stamps_are_lost(log_.measurements)) {
+    warn(0, fmt::format("all scans have the same time stamp: taken as {} s apart",
+                        options_.scan_period));
+    make_up_stamps(log_.measurements, options_.scan_period);
+    log_.has_stamps = false;
+  }
+  if (out_of_order_) std::stable_sort(log_.measurements.begin(), log_.measurements.end(), earlier);
+  std::stable_sort(log_.true_poses.begin(), log_.true_poses.end(),
+                   [](const auto& a, const auto& b) { return a.time < b.time; });
+  CHECK(std::is_sorted(log_.measurements.begin(), log_.measurements.end(), earlier));
+  return std::move(log_);
+}
+
+}  // namespace mapbed

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/log/log_file.h"
+
+namespace mapbed {
+
+// Collects what a dialect's reader finds line by line, watches the stamps and ranges, and completes
+// the scans at the end: geometry that the lines did not have, maximum range, order of time.
+//
+// A scan with bearing_step 0 gets its bearings and its place on the robot from the number of its
+// beams, the parameters and the options; see laser_geometry.h.
+class LogBuilder {
+ public:
+  LogBuilder(std::string name, const LogOptions& options);
+
+  const std::string& name() const { return name_; }
+  const LogOptions& options() const { return options_; }
+  void add(Odometry odometry, long line);
+  void add(LaserScan scan, long line);
+  void add_true_pose(const StampedPose& pose, long line);
+  void set_parameter(std::string name, std::string value);
+  void broken(long line, const std::string& reason);  // a message was left out
+  void warn(long line, const std::string& reason);    // a message was read, with a remark
+  long scans() const { return scans_; }
+
+  RecordedLog finish(const std::string& format);  // throws InputError
+
+ private:
+  struct LastScan {
+    double time = 0.0;
+    std::size_t beams = 0;
+  };
+
+  bool stamp_is_usable(double time, long line);
+  void clean_ranges(LaserScan& scan, long line);
+  void complete_geometry();
+  void check_counts() const;
+
+  std::string name_;
+  LogOptions options_;
+  RecordedLog log_;
+  std::map<std::string, std::size_t> warning_of_reason_;
+  std::map<int, LastScan> last_scan_of_laser_;
+  std::map<std::size_t, long> first_line_of_beams_;
+  double newest_ = -1e300;  // [s]
+  bool out_of_order_ = false;
+  long line_gone_back_ = 0;  // the last message's, where its stamp was far too old
+  long messages_ = 0;
+  long scans_ = 0;
+  long broken_ = 0;
+  LogWarning first_broken_;
+};
+
+// The interface of a dialect.
+class LogReader {
+ public:
+  virtual ~LogReader() = default;
+  virtual void add_line(std::string_view line, long number) = 0;  // without its line end
+  virtual RecordedLog finish() = 0;
+};
+
+}  // namespace mapbed

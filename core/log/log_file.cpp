@@ -1,0 +1,114 @@
+#include "core/log/log_file.h"
+
+#include <array>
+#include <cctype>
+#include <memory>
+
+#include <fmt/core.h>
+
+#include "core/log/carmen_log.h"
+#include "core/log/fields.h"
+#include "core/log/text_blocks.h"
+
+namespace mapbed {
+namespace {
+
+using namespace std::string_view_literals;
+
+void refuse_binary(const std::string& name, std::string_view text) {
+  if (text.starts_with("#ROSBAG"sv))
+    throw InputError(
+        {name}, "is a ROS 1 bag, which is not read here",
+        "write its scans and odometry out as a CARMEN log (FLASER or ROBOTLASER1 "
+        "lines) or as `t n ranges` lines, for example with the Python package rosbags");
+  if (text.starts_with("SQLite format 3"sv) || text.starts_with("\x89MCAP0\r\n"sv))
+    throw InputError(
+        {name}, "is a ROS 2 bag, which is not read here",
+        "write its scans and odometry out as a CARMEN log (FLASER or ROBOTLASER1 "
+        "lines) or as `t n ranges` lines, for example with the Python package rosbags");
+  if (text.substr(0, 4096).find('\0') != std::string_view::npos)
+    throw InputError({name}, "is no text", "logs are read as plain text or gzipped text");
+}
+
+// The first line that says something, after the comments.
+struct Beginning {
+  std::string_view header;  // all comments before it
+  std::string_view line;
+};
+
+Beginning beginning_of(std::string_view text) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = text.substr(at, end - at);
+    const std::size_t word = line.find_first_not_of(" \t\r");
+    if (word != std::string_view::npos && line[word] != '#')
+      return {text.substr(0, at), line.substr(word)};
+    at = end + 1;
+  }
+  return {text, {}};
+}
+
+std::unique_ptr<LogReader> make_reader(const std::string& name, std::string_view text,
+                                       const LogOptions& options) {
+  refuse_binary(name, text);
+  const Beginning beginning = beginning_of(text);
+  if (beginning.line.empty())
+    throw InputError({name}, "is empty", "a log has lines such as FLASER or ROBOTLASER1");
+  const std::string_view word = beginning.line.substr(0, beginning.line.find_first_of(" \t\r"));
+  if (std::isupper(static_cast<unsigned char>(word[0])) != 0)
+    return make_carmen_reader(name, options);
+  throw InputError({name}, "is in no log format that is known here",
+                   "known are CARMEN, CoreSLAM, DP-SLAM and `t n ranges` with a header line");
+}
+
+// Cuts blocks into lines and feeds them to the reader of the dialect.
+class Splitter {
+ public:
+  Splitter(const std::string& name, const LogOptions& options) : name_(name), options_(options) {}
+
+  void add(std::string_view text) {
+    if (!reader_) reader_ = make_reader(name_, text, options_);
+    while (!text.empty()) {
+      const std::size_t end = text.find('\n');
+      reader_->add_line(text.substr(0, end), ++line_);
+      if (end == std::string_view::npos) break;
+      text.remove_prefix(end + 1);
+    }
+  }
+
+  RecordedLog finish() {
+    if (!reader_) reader_ = make_reader(name_, {}, options_);
+    return reader_->finish();
+  }
+
+ private:
+  std::string name_;
+  LogOptions options_;
+  std::unique_ptr<LogReader> reader_;
+  long line_ = 0;
+};
+
+}  // namespace
+
+std::string to_string(const LogWarning& warning) {
+  std::string text = warning.place.file;
+  if (warning.place.line > 0) text += fmt::format(":{}", warning.place.line);
+  text += ": " + warning.reason;
+  if (warning.count > 1) text += fmt::format(" ({} times)", warning.count);
+  return text;
+}
+
+RecordedLog load_log(const std::string& path, const LogOptions& options) {
+  Splitter splitter(path, options);
+  for_each_text_block(path, options.max_text, [&](std::string_view block) { splitter.add(block); });
+  return splitter.finish();
+}
+
+RecordedLog parse_log(const std::string& name, std::string_view text, const LogOptions& options) {
+  Splitter splitter(name, options);
+  if (!text.empty()) splitter.add(text);
+  return splitter.finish();
+}
+
+}  // namespace mapbed

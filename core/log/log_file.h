@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/trajectory.h"
+#include "core/input_error.h"
+#include "core/log/log_options.h"
+#include "core/log/sensor_log.h"
+
+// Recorded logs from files, plain or gzipped; the dialect is told by the content:
+//
+//   CARMEN     FLASER, RLASER, ROBOTLASER1/2, ODOM, TRUEPOS, PARAM     see carmen_log.h
+//   CoreSLAM   encoder ticks and 682 ranges in millimetres a line      see coreslam_log.h
+//   DP-SLAM    `Odometry x y theta`, `Laser n r…`, no stamps           see dpslam_log.h
+//   scan list  `t n r…`, the scan geometry in its '#' header           see scan_list_log.h
+//
+// Every line is a message of its own, so a broken one is left out, counted and named in the
+// warnings; a log of which more than one in ten messages is broken is refused.
+
+namespace mapbed {
+
+// Something odd that was read past.
+struct LogWarning {
+  Place place;         // of the first one
+  std::string reason;  // "truncated FLASER line: left out"
+  long count = 1;
+};
+
+std::string to_string(const LogWarning& warning);  // one line: place, reason, count
+
+struct RecordedLog {
+  std::string format;                             // "CARMEN", "CoreSLAM", "DP-SLAM", "scan list"
+  SensorLog measurements;                         // by time; at least one scan
+  Trajectory true_poses;                          // world_from_robot; where the log has them
+  bool has_stamps = true;                         // false: the times are made up
+  std::map<std::string, std::string> parameters;  // CARMEN's PARAM lines
+  std::vector<LogWarning> warnings;
+};
+
+// Throw InputError where nothing sensible can be read.
+RecordedLog load_log(const std::string& path, const LogOptions& options = {});
+RecordedLog parse_log(const std::string& name, std::string_view text,
+                      const LogOptions& options = {});
+
+}  // namespace mapbed
