@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace mapbed {
 
@@ -20,5 +21,8 @@ class InputError : public std::runtime_error {
   explicit InputError(const std::string& message) : std::runtime_error(message) {}
   InputError(const Place& place, const std::string& reason, const std::string& remedy = {});
 };
+
+// 'text' in quotes, for messages: on one line, without control characters, not too long.
+std::string in_quotes(std::string_view text);
 
 }  // namespace mapbed

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -27,20 +28,41 @@ enum class Unit {
   newton,
 };
 
-// A choice by name: the value is one of `names`.
+// The values that make sense, in SI: of a number, or of every element of a list.
+struct Bounds {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_itself = true;  // may the value be `low`?
+};
+
+inline constexpr Bounds kAnyValue;
+inline constexpr Bounds kPositive{.low = 0.0, .low_itself = false};
+inline constexpr Bounds kNotNegative{.low = 0.0};
+inline constexpr Bounds kShare{.low = 0.0, .high = 1.0};  // probabilities and the like
+constexpr Bounds at_least(double low) {
+  return {.low = low};
+}
+constexpr Bounds between(double low, double high) {  // both included
+  return {.low = low, .high = high};
+}
+
+// A choice by name: the value is the index of one of `names`.
 struct Choice {
-  int* value;  // index into names
+  std::function<int()> get;
+  std::function<void(int)> set;
   std::vector<std::string> names;
 };
 
-// One option of a struct, by reference: path, place in memory, unit and meaning. Reading, writing,
-// sweeping by dotted path, describing and rejecting unknown keys all work on a list of these.
+// One option of a struct, by reference: path, place in memory, unit, bounds and meaning. Reading,
+// writing, sweeping by dotted path, describing and rejecting unknown keys all work on a list of
+// these. Default values are finite and within their bounds.
 struct Option {
   std::string path;  // "first_step", "odometry.rotation_sigma"
   std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*,
-               std::vector<std::string>*, Choice>
+               std::vector<int>*, std::vector<std::string>*, Choice>
       value;
   Unit unit = Unit::none;
+  Bounds bounds;
   std::string about;
 };
 
@@ -50,12 +72,14 @@ using OptionList = std::vector<Option>;
 //
 //   template <class Visitor>
 //   void visit_fields(ScanMatcherOptions& o, Visitor&& visit) {
-//     visit("first_step", o.first_step, Unit::meter, "first step of the search");
-//     visit("field", o.field, "the smoothed map that is matched against");        // a nested
-//     struct
+//     visit("first_step", o.first_step, Unit::meter, kPositive, "first step of the search");
+//     visit("max_beams", o.max_beams, at_least(1), "beams used of a scan");
+//     visit("model", o.model, {"odds", "counting"}, "how a cell is judged");   // an enum
+//     visit("field", o.field, "the smoothed map that is matched against");     // a nested struct
 //   }
 //
-// An enum is visited as an int with its names: visit("model", o.model, {"odds", "counting"}, "…").
+// Unit and bounds may be left out, the meaning may not. A value out of bounds is an InputError with
+// the place where it was written.
 namespace option_detail {
 
 class Collector {
@@ -63,8 +87,19 @@ class Collector {
   Collector(OptionList& list, std::string prefix) : list_(list), prefix_(std::move(prefix)) {}
 
   template <class T>
+  void operator()(std::string_view name, T& field, Unit unit, const Bounds& bounds,
+                  std::string_view about) {
+    list_.push_back({prefix_ + std::string(name), &field, unit, bounds, std::string(about)});
+  }
+
+  template <class T>
   void operator()(std::string_view name, T& field, Unit unit, std::string_view about) {
-    list_.push_back({prefix_ + std::string(name), &field, unit, std::string(about)});
+    (*this)(name, field, unit, kAnyValue, about);
+  }
+
+  template <class T>
+  void operator()(std::string_view name, T& field, const Bounds& bounds, std::string_view about) {
+    (*this)(name, field, Unit::none, bounds, about);
   }
 
   template <class T>
@@ -73,7 +108,7 @@ class Collector {
       Collector inner(list_, prefix_ + std::string(name) + ".");
       visit_fields(field, inner);
     } else {
-      (*this)(name, field, Unit::none, about);
+      (*this)(name, field, Unit::none, kAnyValue, about);
     }
   }
 
@@ -81,9 +116,9 @@ class Collector {
   requires std::is_enum_v<Enum>
   void operator()(std::string_view name, Enum& field, std::vector<std::string> names,
                   std::string_view about) {
-    static_assert(std::is_same_v<std::underlying_type_t<Enum>, int>);
-    list_.push_back({prefix_ + std::string(name),
-                     Choice{reinterpret_cast<int*>(&field), std::move(names)}, Unit::none,
+    Choice choice{[&field] { return static_cast<int>(field); },
+                  [&field](int index) { field = static_cast<Enum>(index); }, std::move(names)};
+    list_.push_back({prefix_ + std::string(name), std::move(choice), Unit::none, kAnyValue,
                      std::string(about)});
   }
 

@@ -1,0 +1,39 @@
+#include <algorithm>
+
+#include "core/config/set_option.h"
+#include "core/config/settings.h"
+#include "core/config/yaml_scalar.h"
+
+namespace mapbed {
+namespace {
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> parts;
+  for (std::size_t start = 0;;) {
+    const std::size_t dot = path.find('.', start);
+    parts.push_back(path.substr(start, dot - start));
+    if (dot == std::string::npos) return parts;
+    start = dot + 1;
+  }
+}
+
+}  // namespace
+
+std::string to_yaml(const OptionList& options) {
+  std::string yaml;
+  std::vector<std::string> open;  // the groups around the line that was written last
+  for (const Option& option : options) {
+    const std::vector<std::string> parts = split(option.path);
+    const std::size_t depth = parts.size() - 1;
+    const auto differs = std::mismatch(open.begin(), open.end(), parts.begin(),
+                                       parts.begin() + static_cast<std::ptrdiff_t>(depth));
+    auto same = static_cast<std::size_t>(differs.first - open.begin());
+    open.assign(parts.begin(), parts.end() - 1);
+    for (; same < depth; ++same) yaml += std::string(2 * same, ' ') + parts[same] + ":\n";
+    yaml += std::string(2 * depth, ' ') + parts.back() + ": " + option_text(option);
+    yaml += option.about.empty() ? "\n" : "  # " + option.about + "\n";
+  }
+  return yaml;
+}
+
+}  // namespace mapbed
