@@ -1,5 +1,8 @@
 #include "core/log/carmen_log.h"
 
+#include <iomanip>
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,9 +21,11 @@ const Odometry& odometry_at(const RecordedLog& log, std::size_t index) {
 }
 
 std::string flaser(int beams, double range, double time) {
-  std::string line = "FLASER " + std::to_string(beams);
-  for (int i = 0; i < beams; ++i) line += " " + std::to_string(range);
-  return line + " 9 9 9 1 2 0.5 " + std::to_string(time) + " host 0\n";
+  std::ostringstream line;
+  line << "FLASER " << beams;
+  for (int i = 0; i < beams; ++i) line << ' ' << range;
+  line << " 9 9 9 1 2 0.5 " << std::setprecision(16) << time << " host 0\n";
+  return line.str();
 }
 
 TEST(CarmenLog, AnFlaserLineIsOdometryAndThenAScanOfTheSameStamp) {
