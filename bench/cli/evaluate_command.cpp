@@ -1,0 +1,172 @@
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "bench/cli/commands.h"
+#include "bench/metrics/evaluation.h"
+#include "core/geometry/angle.h"
+#include "core/input_error.h"
+#include "core/log/log_file.h"
+#include "core/text_file.h"
+
+namespace mapbed {
+namespace {
+
+struct EvaluateArguments {
+  std::string estimate;
+  std::string relations;
+  std::string odometry;
+  std::string truth;
+  std::string delta_unit = "frames";
+  TruthOptions truth_options;
+};
+
+// Lines "t x y z qx qy qz qw" or "t x y theta".
+Trajectory load_tum(const std::string& path) {
+  const std::string content = read_text_file(path);
+  std::string_view rest = content;
+  Trajectory poses;
+  for (long number = 1; !rest.empty(); ++number) {
+    std::string_view line = next_line(rest);
+    std::vector<double> f;
+    for (auto word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line)) {
+      if (!parse_number(word, f.emplace_back())) {
+        throw InputError({path, number}, "'" + std::string(word.substr(0, 40)) + "' is no number");
+      }
+    }
+    if (f.empty()) continue;
+    if (f.size() != 4 && f.size() != 8) {
+      throw InputError({path, number}, "a pose has 4 or 8 numbers");
+    }
+    const bool planar = f.size() == 4;
+    const double theta =
+        planar ? normalized_angle(f[3])
+               : std::atan2(2 * (f[7] * f[6] + f[4] * f[5]), 1 - 2 * (f[5] * f[5] + f[6] * f[6]));
+    poses.push_back({f[0], {f[1], f[2], theta}});
+  }
+  if (poses.empty()) throw InputError({path}, "holds no pose", "a line is 't x y z qx qy qz qw'");
+  return poses;
+}
+
+// Pose lines have four or eight numbers; the lines of every log have more, or begin with a word.
+bool holds_pose_lines(const std::string& path) {
+  const std::string content = read_text_file(path);
+  std::string_view rest = content;
+  while (!rest.empty()) {
+    std::string_view line = next_line(rest);
+    std::string_view word = next_word(line);
+    if (word.empty() || word.starts_with('#')) continue;
+    int count = 0;
+    for (double number = 0.0; parse_number(word, number); word = next_word(line)) ++count;
+    return word.empty() && (count == 4 || count == 8);
+  }
+  return false;
+}
+
+Trajectory odometry_from(const std::string& path) {
+  if (holds_pose_lines(path)) return load_tum(path);
+  Trajectory odometry;
+  for (const Measurement& measurement : load_log(path).measurements) {
+    const auto* reading = std::get_if<Odometry>(&measurement);
+    if (reading != nullptr) odometry.push_back({reading->time, reading->odometry_from_robot});
+  }
+  if (odometry.empty()) throw InputError({path}, "holds no odometry", "leave --odometry out");
+  return odometry;
+}
+
+RelationsError against_relations(const Trajectory& estimate, const EvaluateArguments& arguments) {
+  const Trajectory odometry =
+      arguments.odometry.empty() ? Trajectory{} : odometry_from(arguments.odometry);
+  const RelationsError error =
+      relations_error(estimate, load_relations(arguments.relations), odometry);
+  if (error.count == 0) {
+    throw InputError({arguments.relations},
+                     fmt::format("all {} relations lie more than 5 s outside the estimate, which "
+                                 "goes from {:.6f} to {:.6f} s",
+                                 error.skipped, estimate.front().time, estimate.back().time),
+                     "are both of the same log?");
+  }
+  return error;
+}
+
+int evaluate(const EvaluateArguments& arguments) {
+  const Trajectory estimate = load_tum(arguments.estimate);
+  Evaluation evaluation;
+  if (!arguments.relations.empty()) {
+    evaluation.relations = against_relations(estimate, arguments);
+  }
+  if (!arguments.truth.empty()) {
+    evaluation.truth =
+        compare_with_truth(estimate, load_tum(arguments.truth), arguments.truth_options);
+  }
+  fmt::print("{}", table_of(evaluation));
+  return kDone;
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "evaluate", "Measure the errors of a trajectory against relations or true poses");
+  const auto arguments = std::make_shared<EvaluateArguments>();
+  TruthOptions& options = arguments->truth_options;
+  command
+      ->add_option("ESTIMATE", arguments->estimate,
+                   "the trajectory: lines 't x y z qx qy qz qw' (TUM) or 't x y theta'; this "
+                   "and all files may be gzipped")
+      ->required();
+  CLI::Option* relations = command->add_option(
+      "--relations", arguments->relations,
+      "relations between stamps, 't1 t2 x y z roll pitch yaw' (Kuemmerle et al. 2009)");
+  command
+      ->add_option("--odometry", arguments->odometry,
+                   "the log, or pose lines: reaches the relations' stamps from the poses beside "
+                   "them by odometry instead of linearly")
+      ->needs(relations);
+  CLI::Option* truth =
+      command->add_option("--truth", arguments->truth, "true or reference poses, lines as above");
+  command
+      ->add_option("--max-time-difference", options.max_time_difference,
+                   "[s] between an estimated and a true pose of one moment")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber)
+      ->needs(truth);
+  command
+      ->add_option("--delta", options.relative.delta,
+                   "length of the motions that RPE compares, in --delta-unit")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber)
+      ->needs(truth);
+  command->add_option("--delta-unit", arguments->delta_unit, "what --delta counts")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"frames", "m"}))
+      ->needs(truth);
+  command
+      ->add_flag("--all-pairs", options.relative.all_pairs,
+                 "RPE: a motion from every pose on, instead of one behind the other")
+      ->needs(truth);
+  command
+      ->add_option("--path-length", options.path_length,
+                   "[m] of true path for the error over a length of path")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber)
+      ->needs(truth);
+  command->callback([arguments, &action] {
+    if (arguments->relations.empty() && arguments->truth.empty()) {
+      throw InputError("evaluate needs something to compare with; give --relations or --truth");
+    }
+    RelativeErrorOptions& relative = arguments->truth_options.relative;
+    relative.unit = arguments->delta_unit == "m" ? PathUnit::meters : PathUnit::frames;
+    if (relative.unit == PathUnit::frames && relative.delta != std::floor(relative.delta)) {
+      throw InputError("--delta counts whole frames; for a length in metres add --delta-unit m");
+    }
+    action = [arguments] { return evaluate(*arguments); };
+  });
+}
+
+}  // namespace mapbed

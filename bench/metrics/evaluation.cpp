@@ -1,0 +1,137 @@
+#include "bench/metrics/evaluation.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/geometry/angle.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Trajectory sorted_by_time(Trajectory trajectory) {
+  std::stable_sort(trajectory.begin(), trajectory.end(),
+                   [](const StampedPose& a, const StampedPose& b) { return a.time < b.time; });
+  return trajectory;
+}
+
+std::string name_of(const RelativeErrorOptions& options) {
+  return fmt::format("RPE, every {:g} {}{}", options.delta,
+                     options.unit == PathUnit::frames ? "frames" : "m",
+                     options.all_pairs ? ", all pairs" : "");
+}
+
+std::string row_of(const char* name, const char* unit, const ErrorStatistics& s, double scale) {
+  if (s.count == 0) return fmt::format("  {:<18} nothing to compare\n", name);
+  return fmt::format("  {:<12} {:<5} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f}\n",
+                     name, unit, scale * s.rmse, scale * s.mean, scale * s.median, scale * s.sigma,
+                     scale * s.min, scale * s.max);
+}
+
+std::string rows_of(const std::string& title, const PoseErrors& errors) {
+  return fmt::format("{}: {} {}\n", title, errors.translation.count,
+                     errors.translation.count == 1 ? "comparison" : "comparisons") +
+         row_of("translation", "[m]", errors.translation, 1.0) +
+         row_of("rotation", "[deg]", errors.rotation, degrees(1.0));
+}
+
+std::string rows_of(const RelationsError& error) {
+  return fmt::format(
+      "relations: {} compared, {} skipped (a stamp more than 5 s outside the estimate)\n"
+      "  translation  mean {:.6f} m, std {:.6f} m\n"
+      "  rotation     mean {:.6f} deg\n",
+      error.count, error.skipped, error.mean_translation, error.sigma_translation,
+      degrees(error.mean_rotation));
+}
+
+std::string rows_of(const TruthErrors& errors) {
+  return fmt::format("truth: {} of {} true poses have an estimate within {:g} s\n", errors.pairs,
+                     errors.true_poses, errors.options.max_time_difference) +
+         fmt::format("  {:<18} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "", "rmse", "mean",
+                     "median", "std", "min", "max") +
+         rows_of("ATE, after alignment", errors.absolute) +
+         rows_of(name_of(errors.options.relative), errors.relative) +
+         rows_of(fmt::format("error over {:g} m of path", errors.options.path_length),
+                 errors.over_path);
+}
+
+// JSON has no NaN: null.
+Json json_of(const ErrorStatistics& s) {
+  return {{"count", s.count}, {"rmse", s.rmse}, {"mean", s.mean}, {"median", s.median},
+          {"std", s.sigma},   {"min", s.min},   {"max", s.max}};
+}
+
+Json json_of(const PoseErrors& errors) {
+  return {{"translation_m", json_of(errors.translation)},
+          {"rotation_rad", json_of(errors.rotation)}};
+}
+
+Json json_of(const RelationsError& error) {
+  return {{"count", error.count},
+          {"skipped", error.skipped},
+          {"mean_translation_m", error.mean_translation},
+          {"std_translation_m", error.sigma_translation},
+          {"mean_rotation_rad", error.mean_rotation},
+          {"mean_rotation_deg", degrees(error.mean_rotation)}};
+}
+
+Json json_of(const TruthErrors& errors) {
+  const TruthOptions& options = errors.options;
+  const Pose2& alignment = errors.world_from_map;
+  return {
+      {"true_poses", errors.true_poses},
+      {"pairs", errors.pairs},
+      {"max_time_difference_s", options.max_time_difference},
+      {"world_from_map", {alignment.x, alignment.y, alignment.theta}},
+      {"absolute", json_of(errors.absolute)},
+      {"relative",
+       {{"delta", options.relative.delta},
+        {"unit", options.relative.unit == PathUnit::frames ? "frames" : "m"},
+        {"all_pairs", options.relative.all_pairs},
+        {"errors", json_of(errors.relative)}}},
+      {"over_path", {{"length_m", options.path_length}, {"errors", json_of(errors.over_path)}}}};
+}
+
+}  // namespace
+
+TruthErrors compare_with_truth(Trajectory estimate, Trajectory truth, const TruthOptions& options) {
+  estimate = sorted_by_time(std::move(estimate));
+  truth = sorted_by_time(std::move(truth));
+  const std::vector<PosePair> pairs = associated(truth, estimate, options.max_time_difference);
+  if (pairs.empty()) {
+    throw InputError(fmt::format(
+        "no true pose lies within {:g} s of an estimated one (estimate: {:.6f} to {:.6f} s, "
+        "truth: {:.6f} to {:.6f} s); are both of the same log? --max-time-difference allows more",
+        options.max_time_difference, estimate.empty() ? 0.0 : estimate.front().time,
+        estimate.empty() ? 0.0 : estimate.back().time, truth.empty() ? 0.0 : truth.front().time,
+        truth.empty() ? 0.0 : truth.back().time));
+  }
+  TruthErrors errors{.options = options,
+                     .true_poses = static_cast<int>(truth.size()),
+                     .pairs = static_cast<int>(pairs.size()),
+                     .world_from_map = alignment(pairs)};
+  errors.absolute = absolute_error(pairs, errors.world_from_map);
+  errors.relative = relative_error(pairs, options.relative);
+  errors.over_path = error_over_path(truth, estimate, options.path_length);
+  return errors;
+}
+
+std::string table_of(const Evaluation& evaluation) {
+  std::string text;
+  if (evaluation.relations) text += rows_of(*evaluation.relations);
+  if (evaluation.truth) text += rows_of(*evaluation.truth);
+  return text;
+}
+
+std::string json_of(const Evaluation& evaluation) {
+  Json json = Json::object();
+  if (evaluation.relations) json["relations"] = json_of(*evaluation.relations);
+  if (evaluation.truth) json["truth"] = json_of(*evaluation.truth);
+  return json.dump(2) + "\n";
+}
+
+}  // namespace mapbed
