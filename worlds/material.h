@@ -9,7 +9,7 @@ namespace mapbed {
 
 // What a surface does to light and radio waves.
 struct Material {
-  std::string name;
+  std::string name = {};
   Eigen::Vector3d color = {0.7, 0.7, 0.7};  // red, green, blue in [0, 1], as on a screen
   double reflectivity = 0.5;  // share of laser light that comes back diffusely, [0, 1]
 

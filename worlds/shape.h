@@ -20,8 +20,8 @@ struct Cylinder {  // axis z, centred on the origin
   double radius = 0.5;
   double height = 1.0;
 };
-struct Extrusion {                       // a plan pulled up
-  std::vector<Eigen::Vector2d> outline;  // simple polygon, counter-clockwise
+struct Extrusion {                            // a plan pulled up
+  std::vector<Eigen::Vector2d> outline = {};  // simple polygon, counter-clockwise
   double bottom = 0.0;
   double top = 2.5;
 };
@@ -29,9 +29,9 @@ using Geometry = std::variant<Box, Cylinder, Extrusion, TriangleMesh>;
 
 // One piece of an entity: a table's leg, a person's left leg.
 struct Part {
-  std::string name;
-  Geometry geometry;
-  Pose3 entity_from_part;
+  std::string name = {};
+  Geometry geometry = {};
+  Pose3 entity_from_part = {};
   int material = 0;  // index into the world's materials
 };
 
@@ -39,10 +39,10 @@ enum class EntityKind : int { structure, floor, furniture, door, person, robot, 
 
 // One thing with a name, of one or more parts; moves as a whole.
 struct Entity {
-  std::string name;
+  std::string name = {};
   EntityKind kind = EntityKind::structure;
-  Pose3 world_from_entity;
-  std::vector<Part> parts;
+  Pose3 world_from_entity = {};
+  std::vector<Part> parts = {};
 };
 
 std::string name_of(EntityKind kind);

@@ -1,5 +1,8 @@
 #include "worlds/world.h"
 
+#include "core/config/suggestion.h"
+#include "core/input_error.h"
+
 namespace mapbed {
 namespace {
 
@@ -12,12 +15,36 @@ void extend(Eigen::AlignedBox3d& box, const Entity& entity) {
   }
 }
 
+template <class Named>
+std::vector<std::string> names_of(const std::vector<Named>& things) {
+  std::vector<std::string> names;
+  for (const Named& thing : things) names.push_back(thing.name);
+  return names;
+}
+
+template <class Named>
+std::size_t index_by_name(const std::vector<Named>& things, const std::string& name,
+                          const std::string& what) {
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (things[i].name == name) return i;
+  }
+  throw InputError("unknown " + what + " '" + name + "'; " + suggestion(name, names_of(things)));
+}
+
 }  // namespace
 
 Eigen::AlignedBox3d bounds_of(const World& world) {
   Eigen::AlignedBox3d box;
   for (const Entity& entity : world.entities) extend(box, entity);
   return box;
+}
+
+int material_index(const World& world, const std::string& name) {
+  return static_cast<int>(index_by_name(world.materials, name, "material"));
+}
+
+const NamedPath& path_by_name(const World& world, const std::string& name) {
+  return world.paths[index_by_name(world.paths, name, "path in world '" + world.name + "'")];
 }
 
 }  // namespace mapbed

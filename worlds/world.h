@@ -13,27 +13,27 @@
 namespace mapbed {
 
 struct WayPoint {
-  Eigen::Vector2d position;  // [m]
-  double speed = 0.0;        // [m/s] on the way here; 0: as the robot likes
-  double pause = 0.0;        // [s] spent here before going on
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // [m]
+  double speed = 0.0;  // [m/s] on the way here; 0: as the robot likes
+  double pause = 0.0;  // [s] spent here before going on
 };
 
 // Where a robot can be sent. Free of obstacles (doors open) for a disc of `clearance` about it.
 struct NamedPath {
-  std::string name;
-  std::vector<WayPoint> points;  // two or more
-  double clearance = 0.3;        // [m]
+  std::string name = {};
+  std::vector<WayPoint> points = {};  // two or more
+  double clearance = 0.3;             // [m]
 };
 
 // A hinged leaf. The leaf is an entity of kind door whose frame has its origin at the hinge, on the
 // floor, and the leaf along x; world_from_hinge is where that frame stands when the door is shut.
 struct Door {
-  std::string name;
-  int entity = 0;           // index into World::entities
-  Pose2 world_from_hinge;   // of the shut leaf
-  double width = 0.9;       // [m]
-  double open_angle = 1.6;  // [rad] positive: turns counter-clockwise
-  double turn_speed = 1.2;  // [rad/s]
+  std::string name = {};
+  int entity = 0;               // index into World::entities
+  Pose2 world_from_hinge = {};  // of the shut leaf
+  double width = 0.9;           // [m]
+  double open_angle = 1.6;      // [rad] positive: turns counter-clockwise
+  double turn_speed = 1.2;      // [rad/s]
   bool starts_open = false;
   double mean_open = 0.0;     // [s] exponential; 0: stays as it is until somebody needs it
   double mean_shut = 0.0;     // [s] exponential; 0: as above
@@ -41,15 +41,15 @@ struct Door {
 };
 
 struct CrowdRoute {
-  std::string name;
-  std::vector<Eigen::Vector2d> points;  // walked to and fro, or round where closed
+  std::string name = {};
+  std::vector<Eigen::Vector2d> points = {};  // walked to and fro, or round where closed
   bool closed = false;
   double weight = 1.0;  // relative number of walkers
 };
 struct StandingPlace {
-  Eigen::Vector2d position;  // [m]
-  double heading = 0.0;      // [rad] where to look
-  double radius = 1.0;       // [m] people stand anywhere in this circle
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // [m]
+  double heading = 0.0;                                // [rad] where to look
+  double radius = 1.0;                                 // [m] people stand anywhere in this circle
 };
 struct CrowdRules {
   int walkers = 0;
@@ -58,18 +58,18 @@ struct CrowdRules {
   double pause_share = 0.3;  // probability to pause at a point of the route
   double mean_pause = 5.0;   // [s] exponential
   double group_share = 0.2;  // share of walkers who walk in pairs
-  std::vector<CrowdRoute> routes;
-  std::vector<StandingPlace> places;
+  std::vector<CrowdRoute> routes = {};
+  std::vector<StandingPlace> places = {};
 };
 
 // What there is, as data. An entity's id is its index here; whoever adds moving things (robots,
 // people) numbers them on from entities.size().
 struct World {
-  std::string name;
+  std::string name = {};
   std::vector<Material> materials = standard_materials();
-  std::vector<Entity> entities;
-  std::vector<Door> doors;
-  std::vector<NamedPath> paths;
+  std::vector<Entity> entities = {};
+  std::vector<Door> doors = {};
+  std::vector<NamedPath> paths = {};
   CrowdRules crowd;
   double ceiling = 2.8;  // [m] height of the rooms; walls end here, pictures look in from above
 };

@@ -1,0 +1,142 @@
+#include "sim/scene/scene.h"
+
+#include "core/check.h"
+#include "sim/scene/ray_caster.h"
+
+namespace mapbed {
+namespace {
+
+constexpr int kStill = -1;
+constexpr double kEndGap = 0.001;  // [m] left out at both ends of a line of sight
+
+PlacedPart placed(const Entity& entity, int id, std::size_t part,
+                  const std::vector<Material>& materials) {
+  const Part& p = entity.parts[part];
+  CHECK(p.material >= 0 && static_cast<std::size_t>(p.material) < materials.size());
+  return {.geometry = p.geometry,
+          .world_from_part = entity.world_from_entity * p.entity_from_part,
+          .entity = id,
+          .part = static_cast<int>(part),
+          .material = p.material,
+          .glass = materials[static_cast<std::size_t>(p.material)].transmittance > 0.0};
+}
+
+std::vector<PlacedPart> still_parts(const World& world) {
+  std::vector<PlacedPart> parts;
+  for (std::size_t id = 0; id < world.entities.size(); ++id) {
+    const Entity& entity = world.entities[id];
+    if (entity.kind == EntityKind::door) continue;
+    for (std::size_t part = 0; part < entity.parts.size(); ++part) {
+      parts.push_back(placed(entity, static_cast<int>(id), part, world.materials));
+    }
+  }
+  return parts;
+}
+
+}  // namespace
+
+struct Scene::State {
+  std::vector<Material> materials;
+  std::vector<Entity> entities;
+  std::vector<int> first_moving_part;  // of each entity, as the ray caster counts; kStill
+  std::vector<bool> visible;
+  RayCaster caster;
+
+  explicit State(const World& world) : materials(world.materials), caster(still_parts(world)) {}
+
+  void add(const Entity& entity, bool moves) {
+    const int id = static_cast<int>(entities.size());
+    entities.push_back(entity);
+    visible.push_back(true);
+    int first = kStill;
+    for (std::size_t part = 0; moves && part < entity.parts.size(); ++part) {
+      const int slot = caster.add(placed(entity, id, part, materials));
+      if (part == 0) first = slot;
+    }
+    first_moving_part.push_back(first);
+  }
+
+  void place(int id, std::size_t part) {
+    const auto e = static_cast<std::size_t>(id);
+    CHECK(e < entities.size() && first_moving_part[e] != kStill);
+    const Entity& entity = entities[e];
+    caster.place(first_moving_part[e] + static_cast<int>(part),
+                 entity.world_from_entity * entity.parts[part].entity_from_part, visible[e]);
+  }
+
+  void place_all(int id) {
+    for (std::size_t part = 0; part < entities[static_cast<std::size_t>(id)].parts.size(); ++part) {
+      place(id, part);
+    }
+  }
+};
+
+Scene::Scene(const World& world) : state_(std::make_unique<State>(world)) {
+  for (const Entity& entity : world.entities) {
+    state_->add(entity, entity.kind == EntityKind::door);
+  }
+  update();
+}
+
+Scene::~Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+
+int Scene::add(const Entity& entity) {
+  state_->add(entity, true);
+  return static_cast<int>(state_->entities.size()) - 1;
+}
+
+void Scene::move(int entity, const Pose3& world_from_entity) {
+  CHECK(entity >= 0 && static_cast<std::size_t>(entity) < state_->entities.size());
+  state_->entities[static_cast<std::size_t>(entity)].world_from_entity = world_from_entity;
+  state_->place_all(entity);
+}
+
+void Scene::move_part(int entity, int part, const Pose3& entity_from_part) {
+  CHECK(entity >= 0 && static_cast<std::size_t>(entity) < state_->entities.size());
+  Entity& e = state_->entities[static_cast<std::size_t>(entity)];
+  CHECK(part >= 0 && static_cast<std::size_t>(part) < e.parts.size());
+  e.parts[static_cast<std::size_t>(part)].entity_from_part = entity_from_part;
+  state_->place(entity, static_cast<std::size_t>(part));
+}
+
+void Scene::show(int entity, bool visible) {
+  CHECK(entity >= 0 && static_cast<std::size_t>(entity) < state_->entities.size());
+  state_->visible[static_cast<std::size_t>(entity)] = visible;
+  state_->place_all(entity);
+}
+
+void Scene::update() {
+  state_->caster.update();
+}
+
+Hit Scene::cast(const Ray& ray) const {
+  return state_->caster.cast(ray);
+}
+
+void Scene::cast(std::span<const Ray> rays, std::span<Hit> hits) const {
+  state_->caster.cast(rays, hits);
+}
+
+bool Scene::sees(const Eigen::Vector3d& from, const Eigen::Vector3d& to, bool through_glass) const {
+  const Eigen::Vector3d way = to - from;
+  const double length = way.norm();
+  if (length <= 2 * kEndGap) return true;
+  return !cast({from, way / length, kEndGap, length - kEndGap, through_glass}).is_hit();
+}
+
+std::size_t Scene::entity_count() const {
+  return state_->entities.size();
+}
+
+const Entity& Scene::entity(int id) const {
+  CHECK(id >= 0 && static_cast<std::size_t>(id) < state_->entities.size());
+  return state_->entities[static_cast<std::size_t>(id)];
+}
+
+const std::vector<Material>& Scene::materials() const {
+  return state_->materials;
+}
+
+}  // namespace mapbed
