@@ -19,14 +19,6 @@ Pose2 read_pose(Fields& fields) {
   return {x, y, fields.number()};
 }
 
-std::vector<double> read_numbers(Fields& fields) {
-  std::vector<double> values;
-  const std::size_t count = fields.count();
-  values.reserve(count);
-  for (std::size_t i = 0; i < count && fields.ok(); ++i) values.push_back(fields.number());
-  return values;
-}
-
 class CarmenReader : public LogReader {
  public:
   CarmenReader(const std::string& name, const LogOptions& options) : builder_(name, options) {}
@@ -78,7 +70,7 @@ class CarmenReader : public LogReader {
   void read_laser(Fields& fields, int laser) {
     LaserScan scan;
     scan.laser = laser;
-    scan.ranges = read_numbers(fields);
+    scan.ranges = fields.counted_numbers();
     read_pose(fields);
     const Pose2 odometry = read_pose(fields);
     scan.time = read_stamp(fields);
@@ -98,8 +90,8 @@ class CarmenReader : public LogReader {
     scan.max_range = fields.number();
     fields.number();  // accuracy
     fields.number();  // remission mode
-    scan.ranges = read_numbers(fields);
-    scan.remissions = read_numbers(fields);
+    scan.ranges = fields.counted_numbers();
+    scan.remissions = fields.counted_numbers();
     const Pose2 odometry_from_laser = read_pose(fields);
     Odometry odometry;
     odometry.odometry_from_robot = read_pose(fields);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace mapbed {
 
@@ -11,7 +13,7 @@ namespace mapbed {
 // for plain decimals: up to 15 digits and 22 decimals make an exact integer divided by an exact
 // power of ten, which rounds once, so correctly. Returns the end of the number, or nullptr where
 // none is.
-inline const char* parse_number(const char* text, const char* end, double& value) {
+inline const char* read_number(const char* text, const char* end, double& value) {
   static constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                             1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
   const char* p = text;
@@ -51,7 +53,7 @@ class Fields {
     skip_blanks();
     return at_ == end_;
   }
-  std::size_t characters_left() const { return static_cast<std::size_t>(end_ - at_); }
+  std::string_view characters() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
   std::string_view word() {
     skip_blanks();
@@ -64,7 +66,7 @@ class Fields {
   double number() {
     skip_blanks();
     double value = 0.0;
-    const char* const rest = ok_ && at_ != end_ ? parse_number(at_, end_, value) : nullptr;
+    const char* const rest = ok_ && at_ != end_ ? read_number(at_, end_, value) : nullptr;
     if (rest == nullptr || (rest != end_ && !is_blank(*rest))) {
       ok_ = false;
       return 0.0;
@@ -76,12 +78,21 @@ class Fields {
   // A count of fields that follow: a whole number, and no more than the line has room for.
   std::size_t count() {
     const double value = number();
-    if (!(value >= 0.0) || value > static_cast<double>(characters_left()) ||
+    if (!(value >= 0.0) || value > static_cast<double>(characters().size()) ||
         value != static_cast<double>(static_cast<std::size_t>(value))) {
       ok_ = false;
       return 0;
     }
     return static_cast<std::size_t>(value);
+  }
+
+  // n, then n numbers.
+  std::vector<double> counted_numbers() {
+    std::vector<double> values;
+    const std::size_t n = count();
+    values.reserve(n);
+    for (std::size_t i = 0; i < n && ok_; ++i) values.push_back(number());
+    return values;
   }
 
  private:

@@ -16,7 +16,6 @@ namespace mapbed {
 //   180, 181     1    deg from -90 deg      540, 541    0.5  deg from -135 deg
 //   360, 361     0.5  deg from -90 deg      401         0.25 deg from -50 deg
 //   720, 721     0.25 deg from -90 deg      1081        0.25 deg from -135 deg
-//   681, 682     360/1024 deg about the front
 //
 // With 180 beams the last one is thus at +89 deg: CARMEN cuts the 181st beam of the scanner off.
 struct Bearings {

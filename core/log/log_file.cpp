@@ -1,13 +1,16 @@
 #include "core/log/log_file.h"
 
-#include <array>
+#include <algorithm>
 #include <cctype>
 #include <memory>
 
 #include <fmt/core.h>
 
 #include "core/log/carmen_log.h"
+#include "core/log/coreslam_log.h"
+#include "core/log/dpslam_log.h"
 #include "core/log/fields.h"
+#include "core/log/scan_list_log.h"
 #include "core/log/text_blocks.h"
 
 namespace mapbed {
@@ -49,6 +52,21 @@ Beginning beginning_of(std::string_view text) {
   return {text, {}};
 }
 
+std::size_t fields_in(std::string_view line) {
+  Fields fields(line);
+  std::size_t count = 0;
+  for (; !fields.at_end(); ++count) fields.word();
+  return count;
+}
+
+// `t n r…` with as many ranges as it says.
+bool is_scan_list(std::string_view line) {
+  Fields fields(line);
+  fields.number();
+  const std::size_t n = fields.count();
+  return fields.ok() && n > 0 && fields_in(fields.characters()) == n;
+}
+
 std::unique_ptr<LogReader> make_reader(const std::string& name, std::string_view text,
                                        const LogOptions& options) {
   refuse_binary(name, text);
@@ -56,8 +74,15 @@ std::unique_ptr<LogReader> make_reader(const std::string& name, std::string_view
   if (beginning.line.empty())
     throw InputError({name}, "is empty", "a log has lines such as FLASER or ROBOTLASER1");
   const std::string_view word = beginning.line.substr(0, beginning.line.find_first_of(" \t\r"));
+  if (word == "Odometry" || word == "Laser") return make_dpslam_reader(name, options);
   if (std::isupper(static_cast<unsigned char>(word[0])) != 0)
     return make_carmen_reader(name, options);
+  double number = 0.0;
+  if (read_number(word.data(), word.data() + word.size(), number) == word.data() + word.size()) {
+    const bool has_header = beginning.header.find("angle_min") != std::string_view::npos;
+    if (has_header || is_scan_list(beginning.line)) return make_scan_list_reader(name, options);
+    if (fields_in(beginning.line) > 600) return make_coreslam_reader(name, options);
+  }
   throw InputError({name}, "is in no log format that is known here",
                    "known are CARMEN, CoreSLAM, DP-SLAM and `t n ranges` with a header line");
 }

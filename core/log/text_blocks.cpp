@@ -77,10 +77,4 @@ void for_each_text_block(const std::string& path, double max_text,
   }
 }
 
-std::string read_text(const std::string& path, double max_text) {
-  std::string text;
-  for_each_text_block(path, max_text, [&](std::string_view block) { text += block; });
-  return text;
-}
-
 }  // namespace mapbed

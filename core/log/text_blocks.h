@@ -14,7 +14,4 @@ namespace mapbed {
 void for_each_text_block(const std::string& path, double max_text,
                          const std::function<void(std::string_view)>& take);
 
-// The whole text at once, within the same limits.
-std::string read_text(const std::string& path, double max_text = 1e9);
-
 }  // namespace mapbed
