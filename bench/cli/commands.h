@@ -21,5 +21,7 @@ enum ExitStatus : int {
 
 // Each adds its command to the program; where that is chosen, `action` becomes what it does.
 void add_evaluate_command(CLI::App& program, Action& action);
+void add_list_command(CLI::App& program, Action& action);
+void add_describe_command(CLI::App& program, Action& action);
 
 }  // namespace mapbed

@@ -66,6 +66,8 @@ int run_program(int argc, const char* const* argv) {
       "Exit status: 0 done, 1 wrong input, 2 claims not held, 3 interrupted.");
   Action action;
   add_evaluate_command(program, action);
+  add_list_command(program, action);
+  add_describe_command(program, action);
 
   try {
     program.parse(argc, argv);

@@ -1,0 +1,53 @@
+#include "algorithms/estimator.h"
+
+#include "algorithms/odometry_estimator.h"
+#include "core/config/suggestion.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+template <class Options>
+Options options_from(const Settings& settings, const std::string& name) {
+  Options options;
+  apply(settings, options_of(options), name);
+  return options;
+}
+
+// A method whose class takes its options, and its own stream of chance where it needs one.
+template <class Class, class Options>
+Method method(const std::string& name, const std::string& about) {
+  return {name, about,
+          [name](const Settings& settings) {
+            auto options = options_from<Options>(settings, name);
+            return to_yaml(options_of(options));
+          },
+          [name](const Settings& settings, [[maybe_unused]] Rng rng) -> std::unique_ptr<Estimator> {
+            const auto options = options_from<Options>(settings, name);
+            if constexpr (std::is_constructible_v<Class, Options, Rng>) {
+              return std::make_unique<Class>(options, rng);
+            } else {
+              return std::make_unique<Class>(options);
+            }
+          }};
+}
+
+}  // namespace
+
+const std::vector<Method>& methods() {
+  static const std::vector<Method> table{
+      method<OdometryEstimator, OdometryOptions>("odometry", "dead reckoning alone, the baseline"),
+  };
+  return table;
+}
+
+const Method& method_by_name(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Method& method : methods()) {
+    if (method.name == name) return method;
+    names.push_back(method.name);
+  }
+  throw InputError({}, "unknown method '" + name + "'", suggestion(name, names));
+}
+
+}  // namespace mapbed

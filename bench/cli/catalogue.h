@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mapbed {
+
+// Something that has a name on the command line.
+struct CatalogueEntry {
+  std::string name;
+  std::string about;
+  std::function<std::string()> describe;  // every option with default, unit and meaning, as YAML
+};
+
+// Things of one kind. The entries are looked up only when asked for: some stand in files.
+struct CatalogueShelf {
+  std::string kind;  // "methods"
+  std::string one;   // "method"
+  std::function<std::vector<CatalogueEntry>()> entries;
+};
+
+const std::vector<CatalogueShelf>& catalogue();
+
+}  // namespace mapbed

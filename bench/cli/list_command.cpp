@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "bench/cli/catalogue.h"
+#include "bench/cli/commands.h"
+#include "core/config/suggestion.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+int list(const std::string& kind) {
+  for (const CatalogueShelf& shelf : catalogue()) {
+    if (!kind.empty() && shelf.kind != kind) continue;
+    if (kind.empty()) fmt::print("{}\n", shelf.kind);
+    for (const CatalogueEntry& entry : shelf.entries()) {
+      fmt::print("{}{:<24} {}\n", kind.empty() ? "  " : "", entry.name, entry.about);
+    }
+  }
+  return kDone;
+}
+
+void check_kind(const std::string& kind) {
+  std::vector<std::string> kinds;
+  for (const CatalogueShelf& shelf : catalogue()) kinds.push_back(shelf.kind);
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+    throw InputError({}, "there are no '" + kind + "' to list", suggestion(kind, kinds));
+  }
+}
+
+int describe(const std::string& name) {
+  std::vector<std::string> names;
+  for (const CatalogueShelf& shelf : catalogue()) {
+    for (const CatalogueEntry& entry : shelf.entries()) {
+      if (entry.name == name) {
+        fmt::print("{} ({}): {}\n{}", entry.name, shelf.one, entry.about, entry.describe());
+        return kDone;
+      }
+      names.push_back(entry.name);
+    }
+  }
+  throw InputError({}, "there is nothing called '" + name + "'", suggestion(name, names));
+}
+
+}  // namespace
+
+void add_list_command(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand("list", "List what there is");
+  const auto kind = std::make_shared<std::string>();
+  std::string kinds;
+  for (const CatalogueShelf& shelf : catalogue()) {
+    kinds += (kinds.empty() ? "" : ", ") + shelf.kind;
+  }
+  command->add_option("KIND", *kind, "one of: " + kinds + "; all where left out");
+  command->callback([kind, &action] {
+    if (!kind->empty()) check_kind(*kind);
+    action = [kind] { return list(*kind); };
+  });
+}
+
+void add_describe_command(CLI::App& program, Action& action) {
+  CLI::App* command =
+      program.add_subcommand("describe", "Show every option of a thing: default, unit, meaning");
+  const auto name = std::make_shared<std::string>();
+  command->add_option("NAME", *name, "a name that 'mapbed list' shows")->required();
+  command->callback([name, &action] { action = [name] { return describe(*name); }; });
+}
+
+}  // namespace mapbed
