@@ -147,7 +147,7 @@ says_what_and_how_much_before_it_installs() {
   export FAKE_MISSING='ccache libpng-dev' CI=true
   fake sudo <<<'exec "$@"'
   run "$tree/mapbed" list
-  expect_output "2 Debian packages are missing: ccache libpng-dev"
+  expect_output "these Debian packages are missing: ccache libpng-dev"
   expect_output "Need to get 12 MB"
   expect_output "34 MB of additional disk space"
   expect_call "apt-get install -y -qq --no-install-recommends ccache libpng-dev"
