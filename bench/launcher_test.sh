@@ -23,7 +23,7 @@ fresh() {
   chmod 666 "$work/calls"
   cp "$source_dir/mapbed" "$source_dir/debian-packages.txt" "$tree"
   local tool
-  for tool in bash env cat chmod grep sed tee mkdir dirname readlink flock head nproc setpriv sleep; do
+  for tool in bash env cat chmod grep sed tee mkdir dirname readlink flock head nproc setpriv sleep tail; do
     ln -s "$(command -v "$tool")" "$bin/$tool"
   done
   export FAKE_CALLS=$work/calls FAKE_MISSING='' FAKE_UNKNOWN=''
@@ -211,6 +211,16 @@ fetches_the_lists_where_apt_does_not_know_a_package() {
   expect_status 1
 }
 
+shows_what_apt_said_where_it_fails() {
+  export FAKE_MISSING='ccache' CI=true
+  fake sudo <<<'exec "$@"'
+  fake apt-get <<<'echo "E: Unable to fetch some archives"; exit 100'
+  run "$tree/mapbed" list
+  expect_status 1
+  expect_output "E: Unable to fetch some archives"
+  expect_output "try: apt-get update"
+}
+
 shows_the_errors_of_a_failed_build_and_where_all_of_it_is() {
   fake ninja <<'END'
 echo "[1/9] Building good.o"
@@ -247,8 +257,8 @@ for test in passes_arguments_and_exit_status_on works_from_any_folder_and_throug
   says_what_and_how_much_before_it_installs needs_test_packages_for_test_only asks_on_a_terminal \
   does_not_install_unasked_without_a_terminal says_who_can_install_without_root_and_sudo \
   says_what_to_do_on_another_distribution fetches_the_lists_where_apt_does_not_know_a_package \
-  shows_the_errors_of_a_failed_build_and_where_all_of_it_is ends_cleanly_when_interrupted \
-  lists_every_package_under_third_party; do
+  shows_what_apt_said_where_it_fails shows_the_errors_of_a_failed_build_and_where_all_of_it_is \
+  ends_cleanly_when_interrupted lists_every_package_under_third_party; do
   fresh
   status=0 output='' started=$SECONDS
   "$test"

@@ -1,18 +1,24 @@
 #include <cmath>
 #include <iostream>
 
-#include "core/geometry/pose2.h"
-#include "core/random.h"
+#include "algorithms/estimator.h"
 
-// Drives a square with a little noise and says how far from its start it ends.
+// Drives a square by its odometry, scanning at each corner, and says how far from its start it
+// ends.
 int main() {
-  mapbed::Rng rng(7);
-  mapbed::Pose2 world_from_robot;
-  for (int side = 0; side < 4; ++side) {
-    const double turn = std::acos(0.0) + rng.normal(0.0, 1e-4);
-    world_from_robot = world_from_robot * mapbed::Pose2{1.0, 0.0, turn};
+  const auto method = mapbed::method_by_name("odometry").make({}, mapbed::Rng(7));
+  mapbed::Odometry odometry;
+  for (int corner = 0; corner <= 4; ++corner) {
+    method->add(odometry);
+    mapbed::LaserScan scan;
+    scan.time = odometry.time;
+    method->add(scan);
+    const mapbed::Pose2 side_and_turn{1.0, 0.0, std::acos(0.0)};
+    odometry.odometry_from_robot = odometry.odometry_from_robot * side_and_turn;
+    odometry.time += 1.0;
   }
-  const double gap = mapbed::distance(world_from_robot, mapbed::Pose2{});
-  std::cout << "gap " << gap << " m\n";
-  return gap < 0.01 ? 0 : 1;
+  const mapbed::Trajectory path = method->estimate().trajectory;
+  const double gap = mapbed::distance(path.front().pose, path.back().pose);
+  std::cout << path.size() << " poses, gap " << gap << " m\n";
+  return path.size() == 5 && gap < 1e-9 ? 0 : 1;
 }
