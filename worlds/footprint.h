@@ -15,7 +15,7 @@ struct Footprint {
   int material = 0;
   // Convex or not, counter-clockwise; two points where a mesh triangle stands upright; empty: a
   // circle.
-  std::vector<Eigen::Vector2d> outline;
+  std::vector<Eigen::Vector2d> outline = {};
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  // of the circle
   double radius = 0.0;
 };
@@ -26,9 +26,13 @@ struct Footprint {
 std::vector<Footprint> footprints(const World& world, double low, double high);
 std::vector<Footprint> footprints(const Entity& entity, int id, double low, double high);
 
-// From a point or a straight way to the footprint's border; 0 inside. [m]
+bool covers(const Footprint& footprint, const Eigen::Vector2d& point);
+
+// From a point, a straight way or another footprint to the footprint's border; 0 where they touch
+// or overlap. [m]
 double distance_to(const Footprint& footprint, const Eigen::Vector2d& point);
 double distance_to(const Footprint& footprint, const Eigen::Vector2d& from,
                    const Eigen::Vector2d& to);
+double distance_between(const Footprint& a, const Footprint& b);
 
 }  // namespace mapbed
