@@ -1,7 +1,7 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -9,29 +9,13 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/grid/grid_frame.h"
 #include "core/check.h"
 
 namespace mapbed {
 
-// The place of a cell in an unbounded grid. Cell (0, 0) covers [0, resolution) x [0, resolution).
-struct CellIndex {
-  int x = 0;
-  int y = 0;
-  friend bool operator==(const CellIndex&, const CellIndex&) = default;
-};
-
-// The cells' bounding box, both corners inside it; empty where min.x > max.x.
-struct CellBox {
-  CellIndex min{1, 1};
-  CellIndex max{0, 0};
-  bool empty() const { return min.x > max.x; }
-  int width() const { return max.x - min.x + 1; }
-  int height() const { return max.y - min.y + 1; }
-};
-
 // An unbounded grid of square cells that holds memory only where it was written: tiles of 32 x 32
-// cells, and four bytes per tile of the bounding box. A cell that was never written reads as
-// Cell{}.
+// cells, and a pointer per tile of the bounding box. A cell that was never written reads as Cell{}.
 template <class Cell>
 class TiledGrid {
  public:
@@ -41,17 +25,30 @@ class TiledGrid {
 
   using Tile = std::array<Cell, std::size_t{kTileSide} * kTileSide>;  // row by row
 
-  explicit TiledGrid(double resolution) : resolution_(resolution) { CHECK(resolution > 0.0); }
+  explicit TiledGrid(const GridFrame& frame) : frame_(frame) { CHECK(frame.resolution > 0.0); }
+  explicit TiledGrid(double resolution) : TiledGrid(GridFrame{.resolution = resolution}) {}
 
-  double resolution() const { return resolution_; }  // [m]
+  TiledGrid(const TiledGrid& other)
+      : frame_(other.frame_),
+        min_x_(other.min_x_),
+        min_y_(other.min_y_),
+        width_(other.width_),
+        height_(other.height_),
+        directory_(other.directory_.size()) {
+    for (std::size_t i = 0; i < directory_.size(); ++i) {
+      const Tile* tile = other.directory_[i].get();
+      if (tile != nullptr) directory_[i] = std::make_unique<Tile>(*tile);
+    }
+  }
+  TiledGrid(TiledGrid&&) noexcept = default;
+  TiledGrid& operator=(const TiledGrid& other) { return *this = TiledGrid(other); }
+  TiledGrid& operator=(TiledGrid&&) noexcept = default;
+  ~TiledGrid() = default;
 
-  CellIndex cell_of(const Eigen::Vector2d& point) const {
-    return {static_cast<int>(std::floor(point.x() / resolution_)),
-            static_cast<int>(std::floor(point.y() / resolution_))};
-  }
-  Eigen::Vector2d center_of(CellIndex cell) const {
-    return {(cell.x + 0.5) * resolution_, (cell.y + 0.5) * resolution_};
-  }
+  const GridFrame& frame() const { return frame_; }
+  double resolution() const { return frame_.resolution; }  // [m]
+  CellIndex cell_of(const Eigen::Vector2d& point) const { return frame_.cell_of(point); }
+  Eigen::Vector2d center_of(CellIndex cell) const { return frame_.center_of(cell); }
 
   // The cell's value, Cell{} where nothing was written near it.
   const Cell& operator[](CellIndex cell) const {
@@ -62,12 +59,34 @@ class TiledGrid {
 
   // The cell for writing; makes its tile where there is none.
   Cell& at(CellIndex cell) {
-    const int tile_x = cell.x >> kTileBits;
-    const int tile_y = cell.y >> kTileBits;
-    if (!in_directory(tile_x, tile_y)) grow(tile_x, tile_y);
-    std::unique_ptr<Tile>& tile = directory_[slot_of(tile_x, tile_y)];
-    if (tile == nullptr) tile = std::make_unique<Tile>();
-    return (*tile)[offset_of(cell)];
+    return (*tile_for_writing(cell.x >> kTileBits, cell.y >> kTileBits))[offset_of(cell)];
+  }
+
+  // Writes to cells near each other in turn: remembers the tile, so that the way to it is paid once
+  // per tile. Valid while the grid lives at its place.
+  class Writer {
+   public:
+    explicit Writer(TiledGrid& grid) : grid_(grid) {}
+    Cell& at(CellIndex cell) {
+      const int tile_x = cell.x >> kTileBits;
+      const int tile_y = cell.y >> kTileBits;
+      if (tile_ == nullptr || tile_x != tile_x_ || tile_y != tile_y_) {
+        tile_ = grid_.tile_for_writing(tile_x, tile_y);
+        tile_x_ = tile_x;
+        tile_y_ = tile_y;
+      }
+      return (*tile_)[offset_of(cell)];
+    }
+
+   private:
+    TiledGrid& grid_;
+    Tile* tile_ = nullptr;
+    int tile_x_ = 0, tile_y_ = 0;
+  };
+
+  std::size_t tile_count() const {  // tiles that hold memory
+    return static_cast<std::size_t>(std::count_if(
+        directory_.begin(), directory_.end(), [](const auto& tile) { return tile != nullptr; }));
   }
 
   // visit(cell index, cell) for every cell of every tile, row by row within a tile.
@@ -75,7 +94,7 @@ class TiledGrid {
   void for_each(Visitor&& visit) const {
     for (int ty = 0; ty < height_; ++ty) {
       for (int tx = 0; tx < width_; ++tx) {
-        const Tile* tile = directory_[static_cast<std::size_t>(ty) * width_ + tx].get();
+        const Tile* tile = directory_[slot_of(min_x_ + tx, min_y_ + ty)].get();
         if (tile == nullptr) continue;
         for (int i = 0; i < kTileSide * kTileSide; ++i) {
           visit(CellIndex{((min_x_ + tx) << kTileBits) + (i & (kTileSide - 1)),
@@ -111,6 +130,12 @@ class TiledGrid {
     return static_cast<std::size_t>(tile_y - min_y_) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(tile_x - min_x_);
   }
+  Tile* tile_for_writing(int tile_x, int tile_y) {
+    if (!in_directory(tile_x, tile_y)) grow(tile_x, tile_y);
+    std::unique_ptr<Tile>& tile = directory_[slot_of(tile_x, tile_y)];
+    if (tile == nullptr) tile = std::make_unique<Tile>();
+    return tile.get();
+  }
   const Tile* tile_of(CellIndex cell) const {
     const int tile_x = cell.x >> kTileBits;
     const int tile_y = cell.y >> kTileBits;
@@ -140,13 +165,14 @@ class TiledGrid {
     for (int y = 0; y < old_height; ++y) {
       for (int x = 0; x < old_width; ++x) {
         wider[slot_of(old_min_x + x, old_min_y + y)] =
-            std::move(directory_[static_cast<std::size_t>(y) * old_width + x]);
+            std::move(directory_[static_cast<std::size_t>(y) * static_cast<std::size_t>(old_width) +
+                                 static_cast<std::size_t>(x)]);
       }
     }
     directory_ = std::move(wider);
   }
 
-  double resolution_;
+  GridFrame frame_;
   int min_x_ = 0, min_y_ = 0;  // of the directory, in tiles
   int width_ = 0, height_ = 0;
   std::vector<std::unique_ptr<Tile>> directory_;

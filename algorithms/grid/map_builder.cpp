@@ -1,0 +1,103 @@
+#include "algorithms/grid/map_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "algorithms/grid/beam.h"
+#include "algorithms/grid/counting_map.h"
+#include "algorithms/grid/end_point_map.h"
+#include "algorithms/grid/odds_map.h"
+#include "core/check.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+using ScanList = std::vector<const LaserScan*>;
+
+// Half the side of the largest grid, so that one that starts anywhere near the origin holds it.
+double reach(double resolution) {
+  return 0.5 * OccupancyMap::kMaxTiles * OccupancyMap::kTileSide * resolution;
+}
+
+void check(const MapOptions& options) {
+  check(options.odds);
+  if (!(options.resolution > 0.0 && options.usable_range > 0.0)) {
+    throw InputError("a map's resolution and usable range must be greater than 0 m");
+  }
+  if (!(2.0 * options.usable_range < reach(options.resolution))) {
+    throw InputError(fmt::format(
+        "a map cannot take beams of {} m in cells of {} m; choose larger cells or a smaller "
+        "usable_range",
+        options.usable_range, options.resolution));
+  }
+}
+
+// Each scan has its pose, and the grid reaches far enough.
+void check(const ScanList& scans, const Trajectory& map_from_robot, const MapOptions& options) {
+  CHECK(scans.size() == map_from_robot.size());
+  const double limit = reach(options.resolution) - options.usable_range;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const StampedPose& stamped = map_from_robot[i];
+    CHECK(stamped.time == scans[i]->time);
+    const Pose2 laser = stamped.pose * scans[i]->robot_from_laser;
+    if (std::abs(laser.x) < limit && std::abs(laser.y) < limit) continue;
+    throw InputError(fmt::format(
+        "the pose at {:.3f} s, ({} m, {} m), lies outside the {:.0f} m about the origin that a map "
+        "of {} m per cell can hold; choose larger cells or move the trajectory to the origin",
+        stamped.time, laser.x, laser.y, limit, options.resolution));
+  }
+}
+
+template <class Map>
+void insert_all(const ScanList& scans, const Trajectory& map_from_robot, double usable_range,
+                Map& map) {
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    for_each_beam(*scans[i], map_from_robot[i].pose, usable_range,
+                  [&](std::size_t, const Beam& beam) { map.insert(beam); });
+  }
+}
+
+OccupancyMap build(const ScanList& scans, const Trajectory& map_from_robot,
+                   const MapOptions& options) {
+  check(options);
+  check(scans, map_from_robot, options);
+  const GridFrame frame{.resolution = options.resolution};
+  if (options.model == MapModel::counting) {
+    CountingMap map(frame);
+    insert_all(scans, map_from_robot, options.usable_range, map);
+    return map.occupancy();
+  }
+  if (options.model == MapModel::odds) {
+    OddsMap map(frame, options.odds);
+    insert_all(scans, map_from_robot, options.usable_range, map);
+    return map.occupancy();
+  }
+  EndPointMap map(frame);
+  insert_all(scans, map_from_robot, options.usable_range, map);
+  return options.model == MapModel::end_points_odds ? map.occupancy_by_odds(options.odds)
+                                                    : map.occupancy_by_counting();
+}
+
+}  // namespace
+
+OccupancyMap build_map(std::span<const LaserScan> scans, const Trajectory& map_from_robot,
+                       const MapOptions& options) {
+  ScanList list;
+  for (const LaserScan& scan : scans) list.push_back(&scan);
+  return build(list, map_from_robot, options);
+}
+
+OccupancyMap build_map(const SensorLog& log, const Trajectory& map_from_robot,
+                       const MapOptions& options) {
+  ScanList list;
+  for (const Measurement& measurement : log) {
+    if (const auto* scan = std::get_if<LaserScan>(&measurement)) list.push_back(scan);
+  }
+  return build(list, map_from_robot, options);
+}
+
+}  // namespace mapbed

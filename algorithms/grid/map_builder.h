@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+
+#include "algorithms/grid/occupancy_map.h"
+#include "algorithms/grid/odds_model.h"
+#include "core/config/option.h"
+#include "core/geometry/trajectory.h"
+#include "core/log/sensor_log.h"
+#include "core/sensor/laser_scan.h"
+
+namespace mapbed {
+
+enum class MapModel : int { counting, odds, end_points_counting, end_points_odds };
+
+struct MapOptions {
+  MapModel model = MapModel::counting;
+  double resolution = 0.05;    // [m]
+  double usable_range = 40.0;  // [m] beams are followed this far; what lies beyond is not mapped
+  OddsModel odds{};            // for the models of that name
+};
+
+template <class Visitor>
+void visit_fields(MapOptions& o, Visitor&& visit) {
+  visit("model", o.model, {"counting", "odds", "end_points_counting", "end_points_odds"},
+        "what a cell keeps: the share of beams that it reflects, the odds that it is occupied, or "
+        "either from the beams' end points alone");
+  visit("resolution", o.resolution, Unit::meter, kPositive, "side of a cell");
+  visit("usable_range", o.usable_range, Unit::meter, kPositive,
+        "beams are followed this far; what lies beyond is not mapped");
+  visit("odds", o.odds, "the odds model of one look at a cell");
+}
+
+// The map of scans taken at known poses, section 2.2. `map_from_robot` has one pose for each scan,
+// in the same order and of the same stamp. Throws InputError where the options contradict each
+// other or a pose is farther away than a grid of this resolution reaches.
+OccupancyMap build_map(std::span<const LaserScan> scans, const Trajectory& map_from_robot,
+                       const MapOptions& options = {});
+
+// The same of the scans in a log.
+OccupancyMap build_map(const SensorLog& log, const Trajectory& map_from_robot,
+                       const MapOptions& options = {});
+
+}  // namespace mapbed
