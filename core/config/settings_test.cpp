@@ -185,9 +185,8 @@ TEST(Settings, AnAssignmentNeedsAPathAndAnEqualsSign) {
 }
 
 TEST(Settings, AFileThatIsNotThereIsNamed) {
-  EXPECT_INPUT_ERROR(load_settings("no/such.yaml"), "no/such.yaml: cannot be opened");
-  EXPECT_INPUT_ERROR(load_settings(std::filesystem::temp_directory_path().string()),
-                     "is a directory");
+  EXPECT_INPUT_ERROR(load_settings("no/such.yaml"), "no/such.yaml: no such file");
+  EXPECT_INPUT_ERROR(load_settings(std::filesystem::temp_directory_path().string()), "is a folder");
 }
 
 }  // namespace

@@ -1,6 +1,3 @@
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <unordered_set>
 
@@ -10,12 +7,13 @@
 
 #include "core/check.h"
 #include "core/config/config_node.h"
+#include "core/text_file.h"
 
 namespace mapbed {
 namespace {
 
-constexpr std::size_t kLargestFile = 1'000'000;  // [bytes] configuration is written by hand
-constexpr std::size_t kDeepest = 32;             // nested lists and maps
+constexpr std::size_t kLargestFile = 1 << 20;  // [bytes] configuration is written by hand
+constexpr std::size_t kDeepest = 32;           // nested lists and maps
 constexpr std::size_t kLongestKey = 200;
 
 // Builds the tree of nodes from the parser's events. Aliases are refused rather than followed: they
@@ -212,17 +210,7 @@ ConfigNode parse_config(std::string_view yaml, const Place& place) {
 }
 
 ConfigNode load_config(const std::string& yaml_path) {
-  const Place place{yaml_path, 0};
-  if (std::error_code error; std::filesystem::is_directory(yaml_path, error)) {
-    throw InputError(place, "is a directory", "name a file in it");
-  }
-  std::ifstream file(yaml_path, std::ios::binary);
-  if (!file) throw InputError(place, "cannot be opened", "does it exist, may it be read?");
-  std::string yaml(kLargestFile + 1, '\0');
-  file.read(yaml.data(), static_cast<std::streamsize>(yaml.size()));
-  if (file.bad()) throw InputError(place, "cannot be read");
-  yaml.resize(static_cast<std::size_t>(file.gcount()));
-  return parse_config(yaml, {yaml_path, 1});
+  return parse_config(read_text_file(yaml_path, kLargestFile), {yaml_path, 1});
 }
 
 }  // namespace mapbed
