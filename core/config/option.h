@@ -25,6 +25,7 @@ enum class Unit {
   radian_per_second,
   radian_per_meter,
   meter_per_second_squared,
+  radian_per_second_squared,
   newton,
 };
 

@@ -61,6 +61,10 @@ const std::vector<Dimension>& dimensions() {
        "acceleration",
        "'0.5 m/s^2'",
        {{"m/s^2"}, {"m/s2"}, {"cm/s^2", 1, 100}}},
+      {Unit::radian_per_second_squared,
+       "angular acceleration",
+       "'90 deg/s^2' or '2 rad/s^2'",
+       {{"rad/s^2"}, {"deg/s^2", 1, 1, true}}},
       {Unit::newton, "force", "'20 N'", {{"N"}, {"kN", 1000}}},
   };
   return all;

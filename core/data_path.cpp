@@ -1,0 +1,79 @@
+#include "core/data_path.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+#include "core/config/suggestion.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+fs::path beside_program() {
+  std::error_code failed;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+  return failed ? fs::path() : program.parent_path().parent_path() / "share" / "mapbed";
+}
+
+bool looks_like_path(const std::string& text) {
+  return text.find('/') != std::string::npos || text.ends_with(".yaml");
+}
+
+}  // namespace
+
+std::filesystem::path data_home() {
+  if (const char* home = std::getenv("MAPBED_HOME"); home != nullptr && *home != '\0') {
+    if (is_folder(home)) return home;
+    throw InputError(std::string("MAPBED_HOME is '") + home +
+                     "', which is no folder; unset it or name the folder that holds robots/");
+  }
+  for (const fs::path& home :
+       {beside_program(), fs::path(MAPBED_DATA_INSTALL_DIR), fs::path(MAPBED_DATA_SOURCE_DIR)}) {
+    if (is_folder(home / "robots")) return home;
+  }
+  throw InputError(
+      "the data files (robots/, scenarios/) were not found; set MAPBED_HOME to the "
+      "folder that holds them");
+}
+
+std::filesystem::path find_data_file(const std::string& kind, const std::string& folder,
+                                     const std::string& name_or_path) {
+  if (looks_like_path(name_or_path)) {
+    if (is_file(name_or_path)) return name_or_path;
+    throw InputError(name_or_path + ": there is no such file; give the path of a " + kind +
+                     " file or one of the names that 'mapbed list' shows");
+  }
+  const fs::path path = data_home() / folder / (name_or_path + ".yaml");
+  if (is_file(path)) return path;
+  const std::vector<std::string> names = data_names(folder);
+  const std::string near = nearest(name_or_path, names);
+  std::string known;
+  for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+  throw InputError("unknown " + kind + " '" + name_or_path + "'; " +
+                   (near.empty() ? "known are " + known : "did you mean '" + near + "'?"));
+}
+
+std::vector<std::string> data_names(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(data_home() / folder, failed)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace mapbed

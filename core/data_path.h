@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mapbed {
+
+// The folder that holds robots/, scenarios/ and the like: the environment's MAPBED_HOME; else the
+// installed share/mapbed beside the running program, or where the library was installed; else the
+// source tree. Throws InputError where MAPBED_HOME names no folder or where none of them exists.
+std::filesystem::path data_home();
+
+// A data file by its name ("b21r", with `folder` "robots") or by its own path ("my/robot.yaml": has
+// a '/' or ends in .yaml). Throws InputError with the nearest name where there is none; `kind` is
+// what the message calls it ("robot").
+std::filesystem::path find_data_file(const std::string& kind, const std::string& folder,
+                                     const std::string& name_or_path);
+
+// The names of the .yaml files in a folder of data_home(), sorted.
+std::vector<std::string> data_names(const std::string& folder);
+
+}  // namespace mapbed

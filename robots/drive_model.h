@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/config/option.h"
+
+namespace mapbed {
+
+enum class DriveKind : int {
+  synchro,       // all wheels steer together; turns without scrubbing
+  differential,  // two driven wheels and a caster
+  skid_steer,    // four fixed wheels; turns by scrubbing
+};
+
+// How the robot's wheels meet the floor.
+struct DriveModel {
+  DriveKind kind = DriveKind::differential;
+  double max_speed = 0.8;          // [m/s]
+  double max_turn_speed = 1.5;     // [rad/s]
+  double acceleration = 0.5;       // [m/s^2]
+  double turn_acceleration = 2.0;  // [rad/s^2]
+  double track = 0.4;              // [m] between left and right wheels
+  double wheel_base = 0.0;         // [m] between front and rear axle
+  double friction = 0.7;           // Coulomb, wheel on floor
+  double surface_spread = 0.0;     // relative spread of sideways against lengthwise friction ...
+  double surface_patch = 2.0;      // [m] ... drawn anew for every square patch of floor
+  double wheel_spread = 0.0;       // relative spread of a wheel's radius, drawn once a robot
+};
+
+template <class Visitor>
+void visit_fields(DriveModel& o, Visitor&& visit) {
+  visit("kind", o.kind, {"synchro", "differential", "skid_steer"}, "how the wheels are arranged");
+  visit("max_speed", o.max_speed, Unit::meter_per_second, kPositive, "fastest forward or back");
+  visit("max_turn_speed", o.max_turn_speed, Unit::radian_per_second, kPositive, "fastest turn");
+  visit("acceleration", o.acceleration, Unit::meter_per_second_squared, kPositive,
+        "of the wheels, speeding up or braking");
+  visit("turn_acceleration", o.turn_acceleration, Unit::radian_per_second_squared, kPositive,
+        "the same for turning");
+  visit("track", o.track, Unit::meter, kPositive, "between left and right wheels");
+  visit("wheel_base", o.wheel_base, Unit::meter, kNotNegative, "between front and rear axle");
+  visit("friction", o.friction, kPositive, "wheel on floor (Coulomb)");
+  visit("surface_spread", o.surface_spread, kNotNegative,
+        "relative spread of sideways against lengthwise friction from patch to patch of floor");
+  visit("surface_patch", o.surface_patch, Unit::meter, kPositive, "side of such a patch");
+  visit("wheel_spread", o.wheel_spread, between(0.0, 0.1),
+        "relative spread of the wheels' radii, drawn once a robot");
+}
+
+}  // namespace mapbed

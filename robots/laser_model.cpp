@@ -1,0 +1,23 @@
+#include "robots/laser_model.h"
+
+#include <algorithm>
+
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+
+double LaserModel::beam_delay(int beam) const {
+  if (mirror_rate <= 0.0) return 0.0;
+  const double turns = beam % interlace + beam * bearing_step / (2.0 * kPi);
+  return turns / mirror_rate;
+}
+
+double LaserModel::sweep_time() const {
+  double last = 0.0;
+  for (int beam = std::max(0, beams - interlace); beam < beams; ++beam) {
+    last = std::max(last, beam_delay(beam));
+  }
+  return last;
+}
+
+}  // namespace mapbed

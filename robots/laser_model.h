@@ -1,0 +1,92 @@
+#pragma once
+
+#include <string>
+
+#include "core/config/option.h"
+
+namespace mapbed {
+
+// What a beam returns whose spot lies on surfaces at several distances.
+enum class MixedPixels : int {
+  off,       // the surface that the beam's axis meets
+  weighted,  // the mean of the distances, weighted by the reflected power
+  either,    // one of the distances, drawn by the reflected power
+  pulse,     // weighted where the echoes overlap (closer than pulse_length), else either
+};
+
+// How a laser's readings differ from the true ranges. Zero switches a mechanism off.
+struct LaserNoise {
+  double sigma_near = 0.005;           // [m] statistical error up to near_range
+  double sigma_far = 0.010;            // [m] statistical error from far_range on; linear between
+  double near_range = 8.0;             // [m]
+  double far_range = 20.0;             // [m]
+  double bias = 0.0;                   // [m] systematic error, added to every reading
+  double step = 0.01;                  // [m] readings are whole multiples of this
+  double dark_range = 10.0;            // [m] a 10 % reflector, met head on, is seen half the time
+  double dark_softness = 0.1;          // spread of that limit, as a share of it
+  double miss_probability = 0.0005;    // a beam returns nothing for no reason
+  double short_probability = 0.0005;   // something tiny in the way: dust, a fly, a reflection
+  double random_probability = 0.0002;  // a reading anywhere in the measuring range
+  MixedPixels mixed_pixels = MixedPixels::pulse;
+  double pulse_length = 0.45;  // [m] echoes closer than this melt into one (3 ns pulse: c t / 2)
+  bool glass = true;           // panes let beams through by chance; false: they are walls
+};
+
+// A planar laser range finder: geometry, timing, beam, noise.
+struct LaserModel {
+  std::string about;
+  int beams = 180;
+  double first_bearing = -1.5707963267948966;  // [rad] of beam 0, in the laser frame
+  double bearing_step = 0.017453292519943295;  // [rad]
+  double max_range = 8.19;                     // [m] a reading of this means: nothing was hit
+  double scan_rate = 5.0;                      // [Hz] sweeps that are reported
+  double mirror_rate = 75.0;                   // [Hz] turns of the mirror; 0: all beams at once
+  int interlace = 1;  // turns of the mirror for one sweep; beam k belongs to turn k % interlace
+  double divergence = 0.0044;  // [rad] full opening angle of the beam; 0 with aperture 0: a line
+  double aperture = 0.02;      // [m] the beam's width where it leaves the sensor
+  int sub_rays = 5;            // rays across the beam's width
+  LaserNoise noise;
+
+  // [s] of beam k after the first of its sweep.
+  double beam_delay(int beam) const;
+  double sweep_time() const;  // [s] from the first to the last beam in time
+};
+
+template <class Visitor>
+void visit_fields(LaserNoise& o, Visitor&& visit) {
+  visit("sigma_near", o.sigma_near, Unit::meter, kNotNegative, "error up to near_range");
+  visit("sigma_far", o.sigma_far, Unit::meter, kNotNegative, "error from far_range on");
+  visit("near_range", o.near_range, Unit::meter, kNotNegative, "the error grows from here");
+  visit("far_range", o.far_range, Unit::meter, kNotNegative, "the error stops growing here");
+  visit("bias", o.bias, Unit::meter, "systematic error, added to every reading");
+  visit("step", o.step, Unit::meter, kNotNegative, "readings are multiples of this");
+  visit("dark_range", o.dark_range, Unit::meter, kNotNegative,
+        "a 10 % reflector met head on is seen half the time here; 0: everything is seen");
+  visit("dark_softness", o.dark_softness, kNotNegative, "relative spread of that limit");
+  visit("miss_probability", o.miss_probability, kShare, "a beam returns nothing");
+  visit("short_probability", o.short_probability, kShare, "a reading before the surface");
+  visit("random_probability", o.random_probability, kShare, "a reading anywhere");
+  visit("mixed_pixels", o.mixed_pixels, {"off", "weighted", "either", "pulse"},
+        "what a beam on an edge returns");
+  visit("pulse_length", o.pulse_length, Unit::meter, kNotNegative, "closer echoes melt into one");
+  visit("glass", o.glass, "panes let beams through by chance; no: they are walls");
+}
+
+template <class Visitor>
+void visit_fields(LaserModel& o, Visitor&& visit) {
+  visit("about", o.about, "what it is");
+  visit("beams", o.beams, between(1, 100'000), "readings of one sweep");
+  visit("first_bearing", o.first_bearing, Unit::radian, "direction of the first reading");
+  visit("bearing_step", o.bearing_step, Unit::radian, kPositive, "from one reading to the next");
+  visit("max_range", o.max_range, Unit::meter, kPositive, "the reading that means nothing");
+  visit("scan_rate", o.scan_rate, Unit::hertz, kPositive, "sweeps reported per second");
+  visit("mirror_rate", o.mirror_rate, Unit::hertz, kNotNegative,
+        "turns of the mirror per second; 0: all beams at once");
+  visit("interlace", o.interlace, between(1, 64), "turns of the mirror for one sweep");
+  visit("divergence", o.divergence, Unit::radian, kNotNegative, "opening angle of the beam");
+  visit("aperture", o.aperture, Unit::meter, kNotNegative, "width of the beam at the sensor");
+  visit("sub_rays", o.sub_rays, between(1, 15), "rays across the beam's width");
+  visit("noise", o.noise, "how the readings differ from the truth");
+}
+
+}  // namespace mapbed

@@ -1,0 +1,126 @@
+#include "robots/robot.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/geometry/angle.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+// A file that lives as long as the test.
+class RobotFile {
+ public:
+  explicit RobotFile(const std::string& text)
+      : path_(std::filesystem::path(::testing::TempDir()) /
+              (std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) +
+               ".yaml")) {
+    std::ofstream(path_) << text;
+  }
+  ~RobotFile() { std::filesystem::remove(path_); }
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string error_of(const std::string& robot_file) {
+  const RobotFile file(robot_file);
+  try {
+    load_robot(file.path());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Robot, EveryShippedRobotAndSensorLoads) {
+  EXPECT_THAT(robot_names(), AllOf(Contains("b21r"), Contains("pioneer")));
+  for (const std::string& name : robot_names()) {
+    const Robot robot = load_robot(name);
+    EXPECT_EQ(robot.name, name);
+    EXPECT_GT(robot.footprint.reach(), 0.0);
+    EXPECT_FALSE(robot.lasers.empty());
+  }
+  for (const std::string& name : sensor_names()) EXPECT_GT(load_laser(name).beams, 0);
+}
+
+TEST(Robot, TakesWhatItsFileSaysInSiUnits) {
+  const RobotFile file(R"(
+mass: 20 kg
+footprint: {length: 50 cm, width: 400 mm}
+drive: {kind: synchro, max_turn_speed: 90 deg/s}
+lasers:
+  - {name: front, sensor: sick_lms200, x: 10 cm, heading: 180 deg, scan_rate: 10 Hz}
+)");
+  const Robot robot = load_robot(file.path());
+
+  EXPECT_DOUBLE_EQ(robot.mass, 20.0);
+  EXPECT_DOUBLE_EQ(robot.footprint.reach(), std::hypot(0.5, 0.4) / 2.0);
+  EXPECT_EQ(robot.drive.kind, DriveKind::synchro);
+  EXPECT_NEAR(robot.drive.max_turn_speed, kPi / 2.0, 1e-12);
+  ASSERT_EQ(robot.lasers.size(), 1u);
+  EXPECT_DOUBLE_EQ(robot.lasers[0].robot_from_laser.x, 0.1);
+  EXPECT_NEAR(robot.lasers[0].robot_from_laser.theta, kPi, 1e-12);
+  EXPECT_EQ(robot.lasers[0].model.beams, 180);              // from the sensor's file
+  EXPECT_DOUBLE_EQ(robot.lasers[0].model.scan_rate, 10.0);  // and what differs from it
+}
+
+TEST(Robot, AMisspeltNameGetsASuggestion) {
+  try {
+    load_robot("pionere");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("unknown robot 'pionere'; did you mean 'pioneer'?"));
+  }
+}
+
+TEST(Robot, AMissingFileIsNamed) {
+  try {
+    load_robot("no/such/robot.yaml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no/such/robot.yaml: there is no such file"));
+  }
+}
+
+TEST(Robot, AnUnknownKeyIsRefusedWithPlaceAndRemedy) {
+  EXPECT_THAT(
+      error_of("footprint: {radius: 20 cm}\ndrive: {fricton: 0.5}\n"),
+      AllOf(HasSubstr(".yaml:2: unknown key 'fricton'"), HasSubstr("did you mean 'friction'?")));
+}
+
+TEST(Robot, AnUnknownSensorIsRefusedWithPlaceAndRemedy) {
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nlasers:\n- {name: a, sensor: sick_lms20}\n"),
+              AllOf(HasSubstr(".yaml:3: unknown sensor 'sick_lms20'"),
+                    HasSubstr("did you mean 'sick_lms200'?")));
+}
+
+TEST(Robot, AFootprintIsACircleOrABox) {
+  const std::string expected = "neither a circle nor a box; give either radius";
+  EXPECT_THAT(error_of("footprint: {length: 20 cm}\n"), HasSubstr(expected));
+  EXPECT_THAT(error_of("footprint: {length: 2 m, width: 1 m, radius: 1 m}\n"), HasSubstr(expected));
+  EXPECT_THAT(error_of("mass: 3 kg\n"), HasSubstr("footprint"));
+}
+
+TEST(Robot, TwoLasersOfOneNameAreRefused) {
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nlasers:\n- {name: a, sensor: sick_lms200}\n"
+                       "- {name: a, sensor: sick_lms200}\n"),
+              HasSubstr(".yaml:4: a second laser is called 'a'"));
+}
+
+TEST(Robot, NegativeAndSenselessValuesAreRefused) {
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nmass: -3 kg\n"), HasSubstr(".yaml:2:"));
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nmass: 3 cm\n"), HasSubstr(".yaml:2:"));
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nlasers:\n"
+                       "- {name: a, sensor: sick_lms200, height: -1 m}\n"),
+              HasSubstr("height is not above the floor"));
+}
+
+}  // namespace
+}  // namespace mapbed

@@ -1,0 +1,185 @@
+#include "sim/noise/laser_noise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/check.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kStandardRemission = 0.1;  // that dark_range is given for
+constexpr std::size_t kMostSubRays = 16;
+
+// All chance of one beam, drawn in a fixed order.
+struct Draws {
+  explicit Draws(Rng rng) {
+    for (double& u : pane) u = rng.uniform();
+    which_surface = rng.uniform();
+    miss = rng.uniform();
+    is_short = rng.uniform();
+    is_random = rng.uniform();
+    place = rng.uniform();
+    darkness = rng.normal();
+    error = rng.normal();
+  }
+  std::array<double, 4> pane;  // for the first, second ... pane on the way
+  double which_surface, miss, is_short, is_random, place, darkness, error;
+};
+
+// A surface that the beam comes back from.
+struct Surface {
+  double range;
+  double light;  // share * reflectivity * cos(incidence)
+  double power;  // received: light / range^2
+};
+
+struct Surfaces {
+  std::array<Surface, kMostSubRays> list;
+  std::size_t count = 0;
+  double axis_range = kInfinity;  // of the middle sub-ray
+};
+
+// One surface a sub-ray: the first that does not let the beam through.
+Surfaces surfaces_of(std::span<const Echo> echoes, const LaserNoise& noise, const Draws& draws) {
+  Surfaces result;
+  std::size_t sub_ray_count = 0;
+  std::size_t i = 0;
+  double covered = 0.0;
+  bool axis_done = false;
+  while (i < echoes.size()) {
+    const int sub_ray = echoes[i].sub_ray;
+    const Echo* taken = nullptr;
+    for (std::size_t pane = 0; i < echoes.size() && echoes[i].sub_ray == sub_ray; ++i, ++pane) {
+      const double u = draws.pane[std::min(pane, draws.pane.size() - 1)];
+      const bool answers = !noise.glass || u < echoes[i].hit_probability;
+      if (taken == nullptr && answers) taken = &echoes[i];
+    }
+    const double share = taken != nullptr ? taken->share : echoes[i - 1].share;
+    covered += share;
+    const bool is_hit = taken != nullptr && std::isfinite(taken->range);
+    if (!axis_done && covered >= 0.5) {
+      result.axis_range = is_hit ? taken->range : kInfinity;
+      axis_done = true;
+    }
+    CHECK(++sub_ray_count <= kMostSubRays);
+    if (!is_hit) continue;
+    const double light = share * taken->reflectivity * taken->cos_incidence;
+    const double range = std::max(1e-3, static_cast<double>(taken->range));
+    result.list[result.count++] = {range, light, light / (range * range)};
+  }
+  std::sort(result.list.begin(), result.list.begin() + static_cast<std::ptrdiff_t>(result.count),
+            [](const Surface& a, const Surface& b) { return a.range < b.range; });
+  return result;
+}
+
+// Neighbouring surfaces melted into one, power-weighted.
+Surface melted(std::span<const Surface> surfaces) {
+  if (surfaces.size() == 1) return surfaces.front();
+  Surface sum{0.0, 0.0, 0.0};
+  for (const Surface& s : surfaces) {
+    sum.range += s.power * s.range;
+    sum.light += s.light;
+    sum.power += s.power;
+  }
+  sum.range = sum.power > 0.0 ? sum.range / sum.power : surfaces.front().range;
+  return sum;
+}
+
+// Draws one of the groups into which gaps of `melting` or more divide the surfaces.
+Surface drawn_group(std::span<const Surface> surfaces, double melting, double u) {
+  double total = 0.0;
+  for (const Surface& s : surfaces) total += s.power;
+  double below = u * total;
+  std::size_t first = 0;
+  for (std::size_t i = 1; i <= surfaces.size(); ++i) {
+    if (i < surfaces.size() && surfaces[i].range - surfaces[i - 1].range < melting) continue;
+    const Surface group = melted(surfaces.subspan(first, i - first));
+    if (below < group.power || i == surfaces.size()) return group;
+    below -= group.power;
+    first = i;
+  }
+  return surfaces.back();
+}
+
+Surface seen_surface(const Surfaces& all, const LaserNoise& noise, double u) {
+  const std::span<const Surface> list(all.list.data(), all.count);
+  switch (noise.mixed_pixels) {
+    case MixedPixels::weighted:
+      return melted(list);
+    case MixedPixels::either:
+      return drawn_group(list, 0.02, u);  // one surface seen by several sub-rays stays one
+    case MixedPixels::pulse:
+      return drawn_group(list, std::max(0.02, noise.pulse_length), u);
+    case MixedPixels::off:
+      break;
+  }
+  Surface axis = melted(list);
+  axis.range = all.axis_range;
+  return axis;
+}
+
+bool is_too_dark(const Surface& surface, const LaserNoise& noise, double normal_draw) {
+  if (noise.dark_range <= 0.0) return false;
+  if (surface.light <= 0.0) return true;
+  const double limit = noise.dark_range * std::sqrt(surface.light / kStandardRemission);
+  return std::log(limit / surface.range) < noise.dark_softness * normal_draw;
+}
+
+double reading(std::span<const Echo> echoes, const LaserModel& model, const Draws& draws) {
+  const LaserNoise& noise = model.noise;
+  if (draws.is_random < noise.random_probability) return draws.place * model.max_range;
+  if (draws.miss < noise.miss_probability) return model.max_range;
+
+  const Surfaces surfaces = surfaces_of(echoes, noise, draws);
+  double range = kInfinity;
+  if (surfaces.count > 0) {
+    const Surface seen = seen_surface(surfaces, noise, draws.which_surface);
+    if (std::isfinite(seen.range) && !is_too_dark(seen, noise, draws.darkness)) range = seen.range;
+  }
+  if (draws.is_short < noise.short_probability) {
+    return draws.place * std::min(range, model.max_range);
+  }
+  if (!std::isfinite(range)) return model.max_range;
+  return range + noise.bias + range_sigma(noise, range) * draws.error;
+}
+
+double quantised(double range, double step) {
+  return step > 0.0 ? std::round(range / step) * step : range;
+}
+
+}  // namespace
+
+double range_sigma(const LaserNoise& noise, double range) {
+  if (range <= noise.near_range) return noise.sigma_near;
+  if (range >= noise.far_range) return noise.sigma_far;
+  const double share = (range - noise.near_range) / (noise.far_range - noise.near_range);
+  return noise.sigma_near + share * (noise.sigma_far - noise.sigma_near);
+}
+
+LaserScan with_noise(const IdealScan& ideal, const MountedLaser& laser, const Rng& rng) {
+  const LaserModel& model = laser.model;
+  CHECK(ideal.beam_count() == static_cast<std::size_t>(model.beams));
+  LaserScan scan;
+  scan.time = ideal.time;
+  scan.laser = ideal.laser;
+  scan.robot_from_laser = laser.robot_from_laser;
+  scan.first_bearing = model.first_bearing;
+  scan.bearing_step = model.bearing_step;
+  scan.max_range = model.max_range;
+  scan.ranges.resize(ideal.beam_count());
+
+  const double smallest = std::max(model.noise.step, 1e-3);  // 0 would mean: the beam failed
+  const Rng sweep = rng.stream("laser", static_cast<std::uint64_t>(ideal.laser), ideal.sweep);
+  for (std::size_t k = 0; k < scan.ranges.size(); ++k) {
+    const Draws draws(sweep.stream("beam", k));
+    const double range = quantised(reading(ideal.beam(k), model, draws), model.noise.step);
+    scan.ranges[k] = range >= model.max_range ? model.max_range : std::max(range, smallest);
+  }
+  return scan;
+}
+
+}  // namespace mapbed

@@ -1,0 +1,70 @@
+#include "sim/noise/odometry_noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kStandingStill = 1e-6;  // [m] less has no direction
+
+struct Steps {
+  double alpha = 0.0;  // [rad] start turn
+  double d = 0.0;      // [m] negative: backwards
+  double beta = 0.0;   // [rad] end turn
+};
+
+Steps steps_of(const Pose2& motion) {
+  const double way = std::hypot(motion.x, motion.y);
+  if (way < kStandingStill) return {0.0, 0.0, motion.theta};
+  const double sign = motion.x >= 0.0 ? 1.0 : -1.0;
+  const double alpha = std::atan2(sign * motion.y, sign * motion.x);
+  return {alpha, sign * way, angle_difference(alpha, motion.theta)};
+}
+
+Pose2 motion_of(const Steps& steps) {
+  return {steps.d * std::cos(steps.alpha), steps.d * std::sin(steps.alpha),
+          normalized_angle(steps.alpha + steps.beta)};
+}
+
+Pose2 noisy_motion(const Pose2& motion, const OdometryModel& m, Rng rng) {
+  Steps s = steps_of(motion);
+  const double way = std::abs(s.d);
+  const double turn = angle_difference(0.0, motion.theta);
+  const double root = std::sqrt(way);
+  const double end_sigma =
+      std::sqrt(m.end_turn_per_meter * m.end_turn_per_meter * way +
+                m.end_turn_per_radian * m.end_turn_per_radian * std::abs(turn));
+  s.alpha += m.start_turn_bias * s.d + m.start_turn_per_meter * root * rng.normal();
+  s.d += m.distance_bias * s.d + m.distance_per_meter * root * rng.normal();
+  s.beta += m.end_turn_bias * turn + end_sigma * rng.normal();
+
+  Pose2 noisy = motion_of(s);
+  noisy.x += m.translation_sigma * rng.normal();
+  noisy.y += m.translation_sigma * rng.normal();
+  noisy.theta = normalized_angle(noisy.theta + m.rotation_sigma * rng.normal());
+  return noisy;
+}
+
+}  // namespace
+
+std::vector<Odometry> with_noise(std::span<const IdealOdometry> ideal, const OdometryModel& model,
+                                 const Rng& rng) {
+  std::vector<Odometry> readings;
+  readings.reserve(ideal.size());
+  Pose2 pose;
+  for (std::size_t k = 0; k < ideal.size(); ++k) {
+    if (k > 0) {
+      const bool wheels = model.source == OdometrySource::wheels;
+      const Pose2 motion = wheels ? motion_between(ideal[k - 1].wheels, ideal[k].wheels)
+                                  : motion_between(ideal[k - 1].truth, ideal[k].truth);
+      pose = pose * noisy_motion(motion, model, rng.stream("odometry", k));
+    }
+    readings.push_back({ideal[k].time, pose, ideal[k].forward_velocity, ideal[k].turn_velocity});
+  }
+  return readings;
+}
+
+}  // namespace mapbed

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/random.h"
+#include "core/sensor/odometry.h"
+#include "robots/odometry_model.h"
+#include "sim/sensors/ideal_scan.h"
+
+namespace mapbed {
+
+// What odometry reads, from the identity on. The motion from reading to reading, taken from wheels
+// or truth, is a turn alpha, a straight way d and a turn beta (Figure 5.2); with
+// turned = |alpha + beta|:
+//   alpha' = alpha + start_turn_bias d + N(0, start_turn_per_meter^2 |d|)
+//   d'     = d (1 + distance_bias)     + N(0, distance_per_meter^2 |d|)
+//   beta'  = beta + end_turn_bias (alpha + beta)
+//                 + N(0, end_turn_per_meter^2 |d| + end_turn_per_radian^2 turned)
+// then N(0, translation_sigma^2) on x and y and N(0, rotation_sigma^2) on the turn (Figure 3.10).
+// d is negative where the robot backs up, so that alpha stays small.
+//
+// Reading k draws from the stream ("odometry", k).
+std::vector<Odometry> with_noise(std::span<const IdealOdometry> ideal, const OdometryModel& model,
+                                 const Rng& rng);
+
+}  // namespace mapbed

@@ -1,0 +1,112 @@
+#include "sim/noise/odometry_noise.h"
+
+#include <cmath>
+#include <functional>
+
+#include "core/geometry/angle.h"
+#include "core/testing/is_near.h"
+
+namespace mapbed {
+namespace {
+
+constexpr int kSteps = 20'000;
+
+std::vector<IdealOdometry> same_step(const Pose2& step) {
+  std::vector<IdealOdometry> drive(1);
+  for (int k = 1; k <= kSteps; ++k) {
+    IdealOdometry next = drive.back();
+    next.time = 0.1 * k;
+    next.truth = next.truth * step;
+    next.wheels = next.truth;
+    drive.push_back(next);
+  }
+  return drive;
+}
+
+// Mean and spread over all steps of something measured on a step's noisy motion.
+std::pair<double, double> moments(const Pose2& step, const OdometryModel& model,
+                                  const std::function<double(const Pose2&)>& measure) {
+  const std::vector<Odometry> noisy = with_noise(same_step(step), model, Rng(7));
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t k = 1; k < noisy.size(); ++k) {
+    const double value =
+        measure(motion_between(noisy[k - 1].odometry_from_robot, noisy[k].odometry_from_robot));
+    sum += value;
+    squares += value * value;
+  }
+  const double mean = sum / kSteps;
+  return {mean, std::sqrt(squares / kSteps - mean * mean)};
+}
+
+void expect_moments(std::pair<double, double> found, double mean, double spread) {
+  EXPECT_NEAR(found.first, mean, 5 * spread / std::sqrt(kSteps) + 1e-9);
+  EXPECT_NEAR(found.second, spread, 5 * spread / std::sqrt(2.0 * kSteps) + 1e-7);
+}
+
+double turn(const Pose2& motion) {
+  return motion.theta;
+}
+double way(const Pose2& motion) {
+  return std::hypot(motion.x, motion.y);
+}
+double direction(const Pose2& motion) {
+  return std::atan2(motion.y, motion.x);
+}
+
+TEST(OdometryNoise, WithoutErrorsReadsTheMotionFromTheIdentityOn) {
+  std::vector<IdealOdometry> drive(2);
+  drive[0].truth = {3.0, 4.0, 1.0};
+  drive[1].truth = drive[0].truth * Pose2{0.5, 0.1, 0.2};
+  drive[1].wheels = {0.6, 0.0, 0.1};
+  OdometryModel model;
+  const Tolerance exact{1e-12, 1e-12};
+
+  EXPECT_THAT(with_noise(drive, model, Rng(1))[0].odometry_from_robot, IsNear(Pose2{}, exact));
+  EXPECT_THAT(with_noise(drive, model, Rng(1))[1].odometry_from_robot,
+              IsNear(drive[1].wheels, exact));
+  model.source = OdometrySource::truth;
+  EXPECT_THAT(with_noise(drive, model, Rng(1))[1].odometry_from_robot,
+              IsNear(Pose2{0.5, 0.1, 0.2}, exact));
+}
+
+TEST(OdometryNoise, TheDistanceErrorGrowsWithTheRootOfTheWay) {
+  const OdometryModel model{.distance_bias = 0.02, .distance_per_meter = 0.01};
+  expect_moments(moments({0.25, 0.0, 0.0}, model, way), 0.25 * 1.02, 0.01 * std::sqrt(0.25));
+}
+
+TEST(OdometryNoise, TheStartTurnBendsTheWay) {
+  const OdometryModel model{.start_turn_bias = 0.04, .start_turn_per_meter = 0.02};
+  expect_moments(moments({0.25, 0.0, 0.0}, model, direction), 0.01, 0.02 * std::sqrt(0.25));
+}
+
+TEST(OdometryNoise, TheEndTurnErrsWithWayAndTurn) {
+  const OdometryModel model{
+      .end_turn_bias = 0.1, .end_turn_per_meter = 0.03, .end_turn_per_radian = 0.04};
+  const double sigma = std::sqrt(0.03 * 0.03 * 0.25 + 0.04 * 0.04 * 0.2);
+  expect_moments(moments({0.25, 0.0, 0.2}, model, turn), 0.22, sigma);
+}
+
+TEST(OdometryNoise, BackingUpKeepsItsDirection) {
+  const OdometryModel model{.start_turn_per_meter = 0.02};
+  const auto direction_back = [](const Pose2& m) { return std::atan2(-m.y, -m.x); };
+  expect_moments(moments({-0.25, 0.0, 0.0}, model, direction_back), 0.0, 0.02 * 0.5);
+}
+
+TEST(OdometryNoise, TheAddedNoiseIsThatOfEveryReading) {
+  const OdometryModel model{.translation_sigma = 0.03, .rotation_sigma = radians(2.0)};
+  const auto x = [](const Pose2& m) { return m.x; };
+  const auto y = [](const Pose2& m) { return m.y; };
+  expect_moments(moments({0.1, 0.0, 0.05}, model, x), 0.1, 0.03);
+  expect_moments(moments({0.1, 0.0, 0.05}, model, y), 0.0, 0.03);
+  expect_moments(moments({0.1, 0.0, 0.05}, model, turn), 0.05, radians(2.0));
+}
+
+TEST(OdometryNoise, StandingStillAddsNothingByItself) {
+  const OdometryModel model{.distance_per_meter = 0.1, .end_turn_per_radian = 0.1};
+  const std::vector<Odometry> noisy = with_noise(same_step({}), model, Rng(7));
+  EXPECT_THAT(noisy.back().odometry_from_robot, IsNear(Pose2{}, Tolerance{1e-12, 1e-12}));
+}
+
+}  // namespace
+}  // namespace mapbed

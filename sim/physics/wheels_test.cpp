@@ -1,0 +1,110 @@
+#include "sim/physics/wheels.h"
+
+#include <cmath>
+
+#include "core/geometry/angle.h"
+#include "core/testing/is_near.h"
+
+namespace mapbed {
+namespace {
+
+Robot robot_with(DriveKind kind) {
+  Robot robot;
+  robot.mass = 20.0;
+  robot.footprint.radius = 0.25;
+  robot.drive.kind = kind;
+  robot.drive.track = 0.4;
+  robot.drive.wheel_base = kind == DriveKind::differential ? 0.0 : 0.3;
+  return robot;
+}
+
+struct Drive {
+  Pose2 truth;
+  Pose2 odometry;
+  Twist2 velocity;
+};
+
+// On an endless floor without anything in the way.
+Drive driven(Wheels wheels, const DriveCommand& command, double seconds) {
+  constexpr double dt = 0.01;
+  Drive d;
+  for (int i = 0; i < static_cast<int>(std::lround(seconds / dt)); ++i) {
+    wheels.drive(command, dt);
+    d.velocity = wheels.push(d.velocity, d.truth, dt);
+    d.truth = d.truth * Pose2{d.velocity.forward * dt, d.velocity.left * dt, d.velocity.turn * dt};
+  }
+  d.odometry = wheels.odometry();
+  return d;
+}
+
+class EveryDrive : public ::testing::TestWithParam<DriveKind> {};
+
+TEST_P(EveryDrive, ReachesTheSpeedThatItWasTold) {
+  const Wheels wheels(robot_with(GetParam()), Rng(1));
+  const Drive d = driven(wheels, {.forward_velocity = 0.5, .turn_velocity = 0.4}, 3.0);
+  EXPECT_NEAR(d.velocity.forward, 0.5, 0.01);
+  EXPECT_NEAR(d.velocity.turn, 0.4, 0.01);
+}
+
+TEST_P(EveryDrive, ObeysItsLimits) {
+  Robot robot = robot_with(GetParam());
+  robot.drive.max_speed = 0.3;
+  const Drive d = driven(Wheels(robot, Rng(1)), {.forward_velocity = 9.0}, 3.0);
+  EXPECT_NEAR(d.velocity.forward, 0.3, 1e-3);
+}
+
+TEST_P(EveryDrive, AgreesWithItsOdometryOnAGoodFloor) {
+  const Wheels wheels(robot_with(GetParam()), Rng(1));
+  const Drive d = driven(wheels, {.forward_velocity = 0.4, .turn_velocity = 0.3}, 5.0);
+  // Slip while speeding up: at most 2 cm/s * a / (mu g) for v / a seconds, far below 1 cm; the
+  // regularised slip of turning wheels moves a skid-steered robot's pivot by up to 2 cm.
+  EXPECT_THAT(d.odometry, IsNear(d.truth, Tolerance{0.05, 0.03}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Wheels, EveryDrive,
+                         ::testing::Values(DriveKind::synchro, DriveKind::differential,
+                                           DriveKind::skid_steer));
+
+TEST(Wheels, OneSmallerWheelBendsTheWayButNotTheOdometry) {
+  Robot robot = robot_with(DriveKind::differential);
+  robot.drive.wheel_spread = 0.05;
+  const Drive d = driven(Wheels(robot, Rng(3)), {.forward_velocity = 0.5}, 10.0);
+  EXPECT_EQ(d.odometry.theta, 0.0);
+  EXPECT_GT(std::abs(d.truth.theta), radians(5.0));
+}
+
+TEST(Wheels, SkidSteeringTurnsDifferentlyFromFloorToFloor) {
+  Robot robot = robot_with(DriveKind::skid_steer);
+  robot.drive.surface_spread = 0.3;
+  double squares = 0.0;
+  constexpr int kFloors = 30;
+  for (int floor = 0; floor < kFloors; ++floor) {
+    const Drive d =
+        driven(Wheels(robot, Rng(static_cast<std::uint64_t>(floor))), {.turn_velocity = 0.5}, 4.0);
+    const double error = angle_difference(d.odometry.theta, d.truth.theta);
+    squares += error * error;
+  }
+  const double spread = std::sqrt(squares / kFloors);
+  EXPECT_GT(spread, radians(3.0));
+  EXPECT_LT(spread, radians(60.0));
+}
+
+TEST(Wheels, ASynchroDriveDoesNotCareAboutSidewaysFriction) {
+  Robot robot = robot_with(DriveKind::synchro);
+  robot.drive.surface_spread = 0.3;
+  const Drive d = driven(Wheels(robot, Rng(5)), {.turn_velocity = 0.5}, 4.0);
+  EXPECT_NEAR(angle_difference(d.odometry.theta, d.truth.theta), 0.0, radians(0.5));
+}
+
+TEST(Wheels, IceMakesThemSpin) {
+  Robot robot = robot_with(DriveKind::differential);
+  robot.drive.friction = 0.01;
+  robot.drive.acceleration = 2.0;
+  const Drive d = driven(Wheels(robot, Rng(1)), {.forward_velocity = 0.8}, 2.0);
+  // The floor gives mu g = 0.098 m/s^2: half of that times 4 s^2.
+  EXPECT_NEAR(d.truth.x, 0.5 * 0.01 * 9.81 * 4.0, 0.01);
+  EXPECT_GT(d.odometry.x, 1.3);
+}
+
+}  // namespace
+}  // namespace mapbed
