@@ -2,32 +2,46 @@
 
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
+#include "worlds/corridor/corridor.h"
+#include "worlds/loop_corridor/loop_corridor.h"
+#include "worlds/museum/museum.h"
 #include "worlds/office/office.h"
 
 namespace mapbed {
 namespace {
 
 template <class Options>
-WorldKind kind(const std::string& name, const std::string& about, World (*build)(const Options&)) {
-  const auto options_with = [name](const Settings& settings) {
-    Options options;
+WorldKind kind(const std::string& name, const std::string& about, World (*build)(const Options&),
+               const Options& defaults = {}) {
+  const auto options_with = [name, defaults](const Settings& settings) {
+    Options options = defaults;
     apply(settings, options_of(options), "world '" + name + "'");
     return options;
   };
-  return {
-      name, about,
-      [options_with](const Settings& settings) {
-        Options options = options_with(settings);
-        return to_yaml(options_of(options));
-      },
-      [options_with, build](const Settings& settings) { return build(options_with(settings)); }};
+  return {name, about,
+          [options_with](const Settings& settings) {
+            Options options = options_with(settings);
+            return to_yaml(options_of(options));
+          },
+          [options_with, build, name](const Settings& settings) {
+            return build(options_with(settings));
+          }};
 }
 
 }  // namespace
 
 const std::vector<WorldKind>& world_kinds() {
   static const std::vector<WorldKind> kinds = {
+      kind("corridor", "corridor of 25 m x 4 m with doors that open and close", build_corridor),
+      kind("hall_loop", "wide corridor round a block, 32 m x 10 m", build_loop_corridor,
+           hall_loop()),
+      kind("loop_corridor", "corridor round a block, 50 m x 12 m", build_loop_corridor),
+      kind("museum", "hall of 30 m x 45 m with columns, showcases, niches", build_museum),
+      kind("nested_loops", "a small corridor loop beside a large one", build_loop_corridor,
+           nested_loops()),
       kind("office", "corridor ring with rooms, furniture and a wall of glass", build_office),
+      kind("office_corridor", "narrow office corridor with a route of 74 m", build_corridor,
+           office_corridor()),
   };
   return kinds;
 }
