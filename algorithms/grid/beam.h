@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "core/check.h"
+#include "core/config/option.h"
 #include "core/geometry/pose2.h"
 #include "core/sensor/laser_scan.h"
 
@@ -19,11 +20,27 @@ struct Beam {
   bool hit = true;        // false: it was not reflected up to `end` (zeta = 1 in (2.14))
 };
 
-// visit(beam number, beam) for each beam of a scan that says something: not for failed ones (a
-// range of 0 or less, or NaN). A beam is followed for `usable_range` [m] at most; one that goes on,
-// like one of maximum range, clears its path and has no end.
+// Which beams say something, and how far.
+struct BeamLimits {
+  double usable_range = 40.0;     // [m] beams are followed this far; what lies beyond is not used
+  double no_return_range = 20.0;  // [m] a laser of longer maximum range that gets no return may
+                                  // have met glass or something black as well as open space
+};
+
 template <class Visitor>
-void for_each_beam(const LaserScan& scan, const Pose2& map_from_robot, double usable_range,
+void visit_fields(BeamLimits& o, Visitor&& visit) {
+  visit("usable_range", o.usable_range, Unit::meter, kPositive,
+        "beams are followed this far; what lies beyond is not used");
+  visit("no_return_range", o.no_return_range, Unit::meter, kNotNegative,
+        "a beam without return means free space where the laser's maximum range is at most this, "
+        "and nothing where it is longer");
+}
+
+// visit(beam number, beam) for each beam of a scan that says something: not for failed ones (a
+// range of 0 or less, or NaN) nor, with a laser of long range, for those without return. A beam
+// that goes on after the usable range, like one of maximum range, clears its path and has no end.
+template <class Visitor>
+void for_each_beam(const LaserScan& scan, const Pose2& map_from_robot, const BeamLimits& limits,
                    Visitor&& visit) {
   CHECK(is_finite(map_from_robot));
   const Pose2 map_from_laser = map_from_robot * scan.robot_from_laser;
@@ -31,8 +48,9 @@ void for_each_beam(const LaserScan& scan, const Pose2& map_from_robot, double us
   for (std::size_t n = 0; n < scan.ranges.size(); ++n) {
     const double range = scan.ranges[n];
     if (!(range > 0.0)) continue;
-    const bool hit = scan.is_hit(n) && range <= usable_range;
-    const double length = std::min({range, scan.max_range, usable_range});
+    if (scan.is_max_range(n) && scan.max_range > limits.no_return_range) continue;
+    const bool hit = scan.is_hit(n) && range <= limits.usable_range;
+    const double length = std::min({range, scan.max_range, limits.usable_range});
     const double angle = map_from_laser.theta + scan.bearing(n);
     const Eigen::Vector2d end = start + length * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     visit(n, Beam{start, end, hit});

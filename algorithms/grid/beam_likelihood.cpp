@@ -36,7 +36,7 @@ double log_likelihood(const Beam& beam, const OccupancyMap& map,
 double log_likelihood(const LaserScan& scan, const Pose2& map_from_robot, const OccupancyMap& map,
                       const BeamLikelihoodOptions& options) {
   double sum = 0.0;
-  for_each_beam(scan, map_from_robot, options.usable_range,
+  for_each_beam(scan, map_from_robot, options.beams,
                 [&](std::size_t, const Beam& beam) { sum += log_likelihood(beam, map, options); });
   return sum;
 }

@@ -13,9 +13,9 @@ struct BeamLikelihoodOptions {
   // 4.2. Without it each covered cell counts once, as (2.14) is printed, and a slanting beam, which
   // covers more cells, is less likely than one along an axis.
   bool length_weighted = true;
-  double unknown = 0.5;      // m_j of a cell of which nothing is known
-  double least_m = 1e-3;     // m_j is kept in [least_m, 1 - least_m]: no beam is impossible
-  double usable_range = 40;  // [m] as in MapOptions
+  double unknown = 0.5;   // m_j of a cell of which nothing is known
+  double least_m = 1e-3;  // m_j is kept in [least_m, 1 - least_m]: no beam is impossible
+  BeamLimits beams{};
 };
 
 template <class Visitor>
@@ -25,7 +25,7 @@ void visit_fields(BeamLikelihoodOptions& o, Visitor&& visit) {
   visit("unknown", o.unknown, kShare, "share of beams that an unknown cell reflects");
   visit("least_m", o.least_m, between(1e-12, 0.5),
         "a cell reflects at least this share of beams, and lets at least this share through");
-  visit("usable_range", o.usable_range, Unit::meter, kPositive, "beams are followed this far");
+  visit("beams", o.beams, "which beams are used, and how far");
 }
 
 // What a map says about one beam; the factors of (2.14), (4.1) and (4.7).

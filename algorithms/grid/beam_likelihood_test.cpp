@@ -53,6 +53,13 @@ TEST(BeamLikelihood, SumsToOneOverAllThatABeamCanDo) {
   }
 }
 
+TEST(BeamLikelihood, CountsLengthsInCellSides) {  // 1 m of path: four sides of 0.25 m
+  OccupancyMap map(0.25);
+  for (int x = 0; x < 8; ++x) map.at({x, 0}) = known(0.2);
+  EXPECT_NEAR(log_likelihood({{0.0, 0.1}, {1.0, 0.1}, /*hit=*/false}, map), 4 * std::log(0.8),
+              1e-7);
+}
+
 TEST(BeamLikelihood, WeighedByLengthDoesNotDependOnTheDirection) {  // prod (1 - m_j)^x_j
   OccupancyMap map(0.5);
   for (int y = -25; y < 25; ++y) {
@@ -63,16 +70,14 @@ TEST(BeamLikelihood, WeighedByLengthDoesNotDependOnTheDirection) {  // prod (1 -
     const double angle = rng.uniform(-kPi, kPi);
     const Vector2d direction(std::cos(angle), std::sin(angle));
     const Vector2d start(rng.uniform(-1, 1), rng.uniform(-1, 1));
-    // Ends just where a new cell begins: all but 1e-9 m of the 20 or so sides are path.
-    const double to_border = (std::floor((start.x() + 10 * direction.x()) / 0.5) * 0.5 - start.x());
-    const double length = to_border / direction.x() + (direction.x() > 0 ? 1e-9 : -1e-9);
-    if (!(length > 5.0 && length < 11.0)) continue;  // almost along y
-    const Beam beam{start, start + length * direction, /*hit=*/false};
-    if (direction.x() < 0) continue;  // would end at the far side of a cell
-    EXPECT_NEAR(log_likelihood(beam, map), length / 0.5 * std::log(0.75), 1e-6);
-    // Each covered cell once: |dx| + |dy| sides, give or take the first and the last cell.
-    const double cells = length / 0.5 * (std::abs(direction.x()) + std::abs(direction.y()));
-    EXPECT_NEAR(log_likelihood(beam, map, {.length_weighted = false}) / std::log(0.75), cells, 2.0);
+    const Beam beam{start, start + 10.0 * direction, /*hit=*/false};
+    // 20 sides, less the part in the cell where the beam ends: up to its diagonal.
+    const double sides = log_likelihood(beam, map) / std::log(0.75);
+    EXPECT_GE(sides, 20.0 - std::sqrt(2.0) - 1e-6);
+    EXPECT_LE(sides, 20.0 + 1e-6);
+    // Once for each covered cell it would be |dx| + |dy| of them, up to 28 along a diagonal.
+    const double cells = log_likelihood(beam, map, {.length_weighted = false}) / std::log(0.75);
+    EXPECT_NEAR(cells, 20.0 * (std::abs(direction.x()) + std::abs(direction.y())), 2.0);
   }
 }
 

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/grid/beam.h"
 #include "algorithms/grid/counting_map.h"
 #include "algorithms/grid/end_point_map.h"
 #include "algorithms/grid/odds_map.h"
@@ -25,21 +24,21 @@ double reach(double resolution) {
 
 void check(const MapOptions& options) {
   check(options.odds);
-  if (!(options.resolution > 0.0 && options.usable_range > 0.0)) {
+  if (!(options.resolution > 0.0 && options.beams.usable_range > 0.0)) {
     throw InputError("a map's resolution and usable range must be greater than 0 m");
   }
-  if (!(2.0 * options.usable_range < reach(options.resolution))) {
+  if (!(2.0 * options.beams.usable_range < reach(options.resolution))) {
     throw InputError(fmt::format(
         "a map cannot take beams of {} m in cells of {} m; choose larger cells or a smaller "
         "usable_range",
-        options.usable_range, options.resolution));
+        options.beams.usable_range, options.resolution));
   }
 }
 
 // Each scan has its pose, and the grid reaches far enough.
 void check(const ScanList& scans, const Trajectory& map_from_robot, const MapOptions& options) {
   CHECK(scans.size() == map_from_robot.size());
-  const double limit = reach(options.resolution) - options.usable_range;
+  const double limit = reach(options.resolution) - options.beams.usable_range;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const StampedPose& stamped = map_from_robot[i];
     CHECK(stamped.time == scans[i]->time);
@@ -53,10 +52,10 @@ void check(const ScanList& scans, const Trajectory& map_from_robot, const MapOpt
 }
 
 template <class Map>
-void insert_all(const ScanList& scans, const Trajectory& map_from_robot, double usable_range,
+void insert_all(const ScanList& scans, const Trajectory& map_from_robot, const BeamLimits& limits,
                 Map& map) {
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    for_each_beam(*scans[i], map_from_robot[i].pose, usable_range,
+    for_each_beam(*scans[i], map_from_robot[i].pose, limits,
                   [&](std::size_t, const Beam& beam) { map.insert(beam); });
   }
 }
@@ -68,16 +67,16 @@ OccupancyMap build(const ScanList& scans, const Trajectory& map_from_robot,
   const GridFrame frame{.resolution = options.resolution};
   if (options.model == MapModel::counting) {
     CountingMap map(frame);
-    insert_all(scans, map_from_robot, options.usable_range, map);
+    insert_all(scans, map_from_robot, options.beams, map);
     return map.occupancy();
   }
   if (options.model == MapModel::odds) {
     OddsMap map(frame, options.odds);
-    insert_all(scans, map_from_robot, options.usable_range, map);
+    insert_all(scans, map_from_robot, options.beams, map);
     return map.occupancy();
   }
   EndPointMap map(frame);
-  insert_all(scans, map_from_robot, options.usable_range, map);
+  insert_all(scans, map_from_robot, options.beams, map);
   return options.model == MapModel::end_points_odds ? map.occupancy_by_odds(options.odds)
                                                     : map.occupancy_by_counting();
 }

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "algorithms/grid/beam.h"
 #include "algorithms/grid/occupancy_map.h"
 #include "algorithms/grid/odds_model.h"
 #include "core/config/option.h"
@@ -15,9 +16,9 @@ enum class MapModel : int { counting, odds, end_points_counting, end_points_odds
 
 struct MapOptions {
   MapModel model = MapModel::counting;
-  double resolution = 0.05;    // [m]
-  double usable_range = 40.0;  // [m] beams are followed this far; what lies beyond is not mapped
-  OddsModel odds{};            // for the models of that name
+  double resolution = 0.05;  // [m]
+  BeamLimits beams{};
+  OddsModel odds{};  // for the models of that name
 };
 
 template <class Visitor>
@@ -26,8 +27,7 @@ void visit_fields(MapOptions& o, Visitor&& visit) {
         "what a cell keeps: the share of beams that it reflects, the odds that it is occupied, or "
         "either from the beams' end points alone");
   visit("resolution", o.resolution, Unit::meter, kPositive, "side of a cell");
-  visit("usable_range", o.usable_range, Unit::meter, kPositive,
-        "beams are followed this far; what lies beyond is not mapped");
+  visit("beams", o.beams, "which beams are used, and how far");
   visit("odds", o.odds, "the odds model of one look at a cell");
 }
 

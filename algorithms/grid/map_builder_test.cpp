@@ -53,8 +53,20 @@ TEST(MapBuilder, AMaximumRangeBeamClearsItsPathAndHasNoEnd) {
 }
 
 TEST(MapBuilder, ABeamThatIsLongerThanUsableIsCutThere) {
-  EXPECT_EQ(drawing_after(scan_of(5.0), {.resolution = 1.0, .usable_range = 3.0}), "...       |");
-  EXPECT_EQ(drawing_after(scan_of(2.0), {.resolution = 1.0, .usable_range = 3.0}), "..#       |");
+  EXPECT_EQ(drawing_after(scan_of(5.0), {.resolution = 1.0, .beams = {.usable_range = 3.0}}),
+            "...       |");
+  EXPECT_EQ(drawing_after(scan_of(2.0), {.resolution = 1.0, .beams = {.usable_range = 3.0}}),
+            "..#       |");
+}
+
+TEST(MapBuilder, ALaserOfLongRangeSaysNothingWhereNothingCameBack) {
+  LaserScan scan = scan_of(81.9);
+  scan.max_range = 81.83;
+  EXPECT_EQ(drawing_after(scan, {.resolution = 1.0}), "          |");
+  EXPECT_EQ(drawing_after(scan, {.resolution = 1.0, .beams = {.no_return_range = 100.0}}),
+            "..........|");
+  scan.ranges = {60.0};  // was reflected, beyond the usable range
+  EXPECT_EQ(drawing_after(scan, {.resolution = 1.0}), "..........|");
 }
 
 TEST(MapBuilder, AFailedBeamSaysNothing) {

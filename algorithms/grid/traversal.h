@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "algorithms/grid/grid_frame.h"
+#include "core/check.h"
 
 namespace mapbed {
 
@@ -41,6 +42,7 @@ CoveredCell traverse(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
   };
   const Eigen::Vector2d from = frame.in_cells(start);
   const Eigen::Vector2d to = frame.in_cells(end);
+  CHECK(std::max(from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff()) < 1e9);  // fit into an int
   CellIndex cell{static_cast<int>(std::floor(from.x())), static_cast<int>(std::floor(from.y()))};
   const CellIndex last{static_cast<int>(std::floor(to.x())), static_cast<int>(std::floor(to.y()))};
 
