@@ -45,4 +45,16 @@ double log_likelihood(const Beam& beam, const OccupancyMap& map,
 double log_likelihood(const LaserScan& scan, const Pose2& map_from_robot, const OccupancyMap& map,
                       const BeamLikelihoodOptions& options = {});
 
+// The fast approximation of a scan by the end points of its hits alone, section 2.2.4: the sum of
+// field.log_at(end point). Beams that hit nothing say nothing.
+template <class Field>
+double end_point_log_likelihood(const LaserScan& scan, const Pose2& map_from_robot,
+                                const Field& field, const BeamLimits& limits = {}) {
+  double sum = 0.0;
+  for_each_beam(scan, map_from_robot, limits, [&](std::size_t, const Beam& beam) {
+    if (beam.hit) sum += field.log_at(beam.end);
+  });
+  return sum;
+}
+
 }  // namespace mapbed

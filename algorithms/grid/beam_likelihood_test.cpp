@@ -93,6 +93,16 @@ TEST(BeamLikelihood, NoBeamIsImpossible) {
               1e-12);
 }
 
+TEST(BeamLikelihood, ByEndPointsIsTheFieldsAtEachHit) {
+  struct Slope {  // ln p falls with x
+    double log_at(const Vector2d& point) const { return -point.x(); }
+  };
+  LaserScan scan;
+  scan.max_range = 2.0;
+  scan.ranges = {1.25, 0.75, 2.0, 0.0};
+  EXPECT_NEAR(end_point_log_likelihood(scan, Pose2{0.5, 0.0, 0.0}, Slope{}), -(1.75 + 1.25), 1e-12);
+}
+
 TEST(BeamLikelihood, OfAScanIsTheProductOverTheBeamsThatSaySomething) {
   const OccupancyMap map = row_of({0.1, 0.2, 0.3, 0.7});
   LaserScan scan;

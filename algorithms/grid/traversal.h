@@ -42,7 +42,8 @@ CoveredCell traverse(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
   };
   const Eigen::Vector2d from = frame.in_cells(start);
   const Eigen::Vector2d to = frame.in_cells(end);
-  CHECK(std::max(from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff()) < 1e9);  // fit into an int
+  constexpr double kFarthest = 1e9;  // cell indices fit into an int; false for NaN
+  CHECK((from.array().abs() < kFarthest).all() && (to.array().abs() < kFarthest).all());
   CellIndex cell{static_cast<int>(std::floor(from.x())), static_cast<int>(std::floor(from.y()))};
   const CellIndex last{static_cast<int>(std::floor(to.x())), static_cast<int>(std::floor(to.y()))};
 
@@ -50,7 +51,8 @@ CoveredCell traverse(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
     const int borders = std::abs(last_cell - first_cell);
     const double step = b >= a ? 1.0 : -1.0;
     const double border = first_cell + (step > 0.0 ? 1.0 : 0.0) - a;
-    const double per_side = borders > 0 ? 1.0 / (b - a) : 0.0;
+    // Finite even for the tiniest step over a border, so that 0 * per_side is 0.
+    const double per_side = borders > 0 ? std::clamp(1.0 / (b - a), -1e300, 1e300) : 0.0;
     return Axis{borders > 0 ? std::min(border * per_side, 1.0) : 2.0, border, per_side, step,
                 borders};
   };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -112,6 +113,14 @@ TEST(Traversal, LeavesOutCellsTouchedInACornerOnly) {
               ::testing::ElementsAre(std::pair(0, 0), std::pair(1, 1), std::pair(2, 2)));
   EXPECT_THAT(indices_on({0.5, 2.5}, {2.5, 0.5}),
               ::testing::ElementsAre(std::pair(0, 2), std::pair(1, 1), std::pair(2, 0)));
+}
+
+TEST(Traversal, StepsOverABorderByTheSmallestNumber) {
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  EXPECT_THAT(indices_on({0.0, 0.5}, {-tiny, 0.5}), ::testing::ElementsAre(std::pair(-1, 0)));
+  EXPECT_THAT(indices_on({-tiny, -tiny}, {0.0, 0.0}),
+              ::testing::ElementsAre(std::pair(-1, -1), std::pair(0, 0)));
+  expect_as_clipped({0.0, 0.0}, {-tiny, 2.5}, GridFrame{.resolution = 1.0});
 }
 
 TEST(Traversal, OfAPointIsItsCell) {
