@@ -50,20 +50,24 @@ Pose2 noisy_motion(const Pose2& motion, const OdometryModel& m, Rng rng) {
 
 }  // namespace
 
+Odometry OdometryReader::read(const IdealOdometry& ideal) {
+  if (count_ > 0) {
+    const bool wheels = model_.source == OdometrySource::wheels;
+    const Pose2 motion = wheels ? motion_between(last_.wheels, ideal.wheels)
+                                : motion_between(last_.truth, ideal.truth);
+    pose_ = pose_ * noisy_motion(motion, model_, rng_.stream("odometry", count_));
+  }
+  ++count_;
+  last_ = ideal;
+  return {ideal.time, pose_, ideal.forward_velocity, ideal.turn_velocity};
+}
+
 std::vector<Odometry> with_noise(std::span<const IdealOdometry> ideal, const OdometryModel& model,
                                  const Rng& rng) {
+  OdometryReader reader(model, rng);
   std::vector<Odometry> readings;
   readings.reserve(ideal.size());
-  Pose2 pose;
-  for (std::size_t k = 0; k < ideal.size(); ++k) {
-    if (k > 0) {
-      const bool wheels = model.source == OdometrySource::wheels;
-      const Pose2 motion = wheels ? motion_between(ideal[k - 1].wheels, ideal[k].wheels)
-                                  : motion_between(ideal[k - 1].truth, ideal[k].truth);
-      pose = pose * noisy_motion(motion, model, rng.stream("odometry", k));
-    }
-    readings.push_back({ideal[k].time, pose, ideal[k].forward_velocity, ideal[k].turn_velocity});
-  }
+  for (const IdealOdometry& reading : ideal) readings.push_back(reader.read(reading));
   return readings;
 }
 

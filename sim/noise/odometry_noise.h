@@ -21,6 +21,19 @@ namespace mapbed {
 // d is negative where the robot backs up, so that alpha stays small.
 //
 // Reading k draws from the stream ("odometry", k).
+class OdometryReader {
+ public:
+  OdometryReader(const OdometryModel& model, const Rng& rng) : model_(model), rng_(rng) {}
+  Odometry read(const IdealOdometry& ideal);  // in order of time
+
+ private:
+  OdometryModel model_;
+  Rng rng_;
+  IdealOdometry last_;
+  Pose2 pose_;
+  std::uint64_t count_ = 0;
+};
+
 std::vector<Odometry> with_noise(std::span<const IdealOdometry> ideal, const OdometryModel& model,
                                  const Rng& rng);
 

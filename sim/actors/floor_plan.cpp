@@ -1,0 +1,250 @@
+#include "sim/actors/floor_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <utility>
+
+#include "core/check.h"
+#include "core/input_error.h"
+#include "worlds/footprint.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kCell = 0.2;    // [m]
+constexpr int kBlock = 4;        // cells along the side of a block that shares its near walls
+constexpr double kMargin = 1.0;  // [m] of grid around the outermost walls
+constexpr double kHalfDiagonal = 0.5 * 1.4142135623730951 * kCell;
+constexpr double kMostCells = 4e7;
+
+double distance_to(const Wall& wall, const Eigen::Vector2d& point) {
+  const Eigen::Vector2d along = wall.to - wall.from;
+  const double length2 = along.squaredNorm();
+  const double share =
+      length2 > 0.0 ? std::clamp((point - wall.from).dot(along) / length2, 0.0, 1.0) : 0.0;
+  return std::max(0.0, (wall.from + share * along - point).norm() - wall.radius);
+}
+
+std::vector<Wall> walls_of(const World& world, double low, double high) {
+  std::vector<Wall> walls;
+  for (const Footprint& f : footprints(world, low, high)) {
+    const EntityKind kind = world.entities[static_cast<std::size_t>(f.entity)].kind;
+    if (kind == EntityKind::floor || kind == EntityKind::door) continue;
+    if (f.outline.empty()) walls.push_back({f.center, f.center, f.radius});
+    for (std::size_t i = 0; i < f.outline.size(); ++i) {
+      walls.push_back({f.outline[i], f.outline[(i + 1) % f.outline.size()], 0.0});
+    }
+  }
+  return walls;
+}
+
+}  // namespace
+
+Eigen::Vector2d nearest_point(const Wall& wall, const Eigen::Vector2d& point) {
+  const Eigen::Vector2d along = wall.to - wall.from;
+  const double length2 = along.squaredNorm();
+  const double share =
+      length2 > 0.0 ? std::clamp((point - wall.from).dot(along) / length2, 0.0, 1.0) : 0.0;
+  const Eigen::Vector2d on_axis = wall.from + share * along;
+  if (wall.radius <= 0.0) return on_axis;
+  const Eigen::Vector2d out = point - on_axis;
+  const double length = out.norm();
+  return length > 0.0 ? Eigen::Vector2d(on_axis + wall.radius / length * out) : on_axis;
+}
+
+FloorPlan::FloorPlan(std::vector<Wall> walls) : walls_(std::move(walls)) {
+  build_grid();
+}
+
+FloorPlan::FloorPlan(const World& world, double low, double high)
+    : FloorPlan(walls_of(world, low, high)) {
+  // Walls know their borders only; what is inside is not free either.
+  for (const Footprint& f : footprints(world, low, high)) {
+    const EntityKind kind = world.entities[static_cast<std::size_t>(f.entity)].kind;
+    if (kind == EntityKind::floor || kind == EntityKind::door || f.outline.size() < 3) continue;
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& p : f.outline) box.extend(p);
+    for (double y = box.min().y() - kCell; y <= box.max().y() + kCell; y += kCell) {
+      for (double x = box.min().x() - kCell; x <= box.max().x() + kCell; x += kCell) {
+        const int cell = cell_of({x, y});
+        if (cell >= 0 && mapbed::distance_to(f, center_of(cell)) <= 0.0) {
+          clearance_[static_cast<std::size_t>(cell)] = 0.0F;
+        }
+      }
+    }
+  }
+}
+
+void FloorPlan::build_grid() {
+  Eigen::AlignedBox2d box(Eigen::Vector2d(-kMargin, -kMargin), Eigen::Vector2d(kMargin, kMargin));
+  if (!walls_.empty()) box.setEmpty();
+  for (const Wall& wall : walls_) {
+    const Eigen::Vector2d r = Eigen::Vector2d::Constant(wall.radius + kMargin);
+    box.extend(wall.from - r).extend(wall.from + r).extend(wall.to - r).extend(wall.to + r);
+  }
+  const double wide = box.sizes().x() / (kCell * kBlock);
+  const double high = box.sizes().y() / (kCell * kBlock);
+  if (!(wide * high * kBlock * kBlock < kMostCells)) {
+    throw InputError("the world is too large to walk or drive in: its floor plan measures " +
+                     std::to_string(std::lround(box.sizes().x())) + " m x " +
+                     std::to_string(std::lround(box.sizes().y())) + " m");
+  }
+  corner_ = box.min();
+  block_columns_ = static_cast<int>(wide) + 1;
+  const int block_rows = static_cast<int>(high) + 1;
+  columns_ = block_columns_ * kBlock;
+  rows_ = block_rows * kBlock;
+  clearance_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_),
+                    static_cast<float>(kReach));
+
+  // A block's walls: those within reach of any of its points.
+  const double block = kCell * kBlock;
+  const double block_reach = kReach + 0.7072 * block;
+  std::vector<std::vector<std::uint32_t>> near(static_cast<std::size_t>(block_columns_) *
+                                               static_cast<std::size_t>(block_rows));
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const Wall& wall = walls_[w];
+    const Eigen::Vector2d r = Eigen::Vector2d::Constant(wall.radius + block_reach);
+    const Eigen::Vector2d low = (wall.from.cwiseMin(wall.to) - r - corner_) / block;
+    const Eigen::Vector2d top = (wall.from.cwiseMax(wall.to) + r - corner_) / block;
+    for (int row = std::max(0, static_cast<int>(low.y()));
+         row <= std::min(block_rows - 1, static_cast<int>(top.y())); ++row) {
+      for (int column = std::max(0, static_cast<int>(low.x()));
+           column <= std::min(block_columns_ - 1, static_cast<int>(top.x())); ++column) {
+        const Eigen::Vector2d center = corner_ + block * Eigen::Vector2d(column + 0.5, row + 0.5);
+        if (distance_to(wall, center) > block_reach) continue;
+        near[static_cast<std::size_t>(row * block_columns_ + column)].push_back(
+            static_cast<std::uint32_t>(w));
+      }
+    }
+  }
+  first_near_.assign(1, 0);
+  for (const auto& list : near) {
+    for (const std::uint32_t w : list) near_walls_.push_back(walls_[w]);
+    first_near_.push_back(static_cast<std::uint32_t>(near_walls_.size()));
+  }
+
+  for (int cell = 0; cell < columns_ * rows_; ++cell) {
+    const Eigen::Vector2d center = center_of(cell);
+    for (const Wall& wall : walls_near(center)) {
+      float& value = clearance_[static_cast<std::size_t>(cell)];
+      value = std::min(value, static_cast<float>(distance_to(wall, center)));
+    }
+  }
+}
+
+int FloorPlan::cell_of(const Eigen::Vector2d& point) const {
+  const Eigen::Vector2d p = (point - corner_) / kCell;
+  if (!(p.x() >= 0.0 && p.y() >= 0.0 && p.x() < columns_ && p.y() < rows_)) return -1;
+  return static_cast<int>(p.y()) * columns_ + static_cast<int>(p.x());
+}
+
+Eigen::Vector2d FloorPlan::center_of(int cell) const {
+  return corner_ + kCell * Eigen::Vector2d(cell % columns_ + 0.5, cell / columns_ + 0.5);
+}
+
+std::span<const Wall> FloorPlan::walls_near(const Eigen::Vector2d& point) const {
+  const int cell = cell_of(point);
+  if (cell < 0) return {};
+  const std::size_t block = static_cast<std::size_t>(cell / columns_ / kBlock * block_columns_ +
+                                                     cell % columns_ / kBlock);
+  return {near_walls_.data() + first_near_[block], first_near_[block + 1] - first_near_[block]};
+}
+
+double FloorPlan::clearance(const Eigen::Vector2d& point) const {
+  const int cell = cell_of(point);
+  if (cell < 0) return kReach;
+  const double coarse = clearance_[static_cast<std::size_t>(cell)];
+  if (coarse <= 0.0) return 0.0;
+  double exact = kReach;
+  for (const Wall& wall : walls_near(point)) exact = std::min(exact, distance_to(wall, point));
+  return exact;
+}
+
+bool FloorPlan::is_straight_way(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                double radius) const {
+  const double length = (to - from).norm();
+  for (double s = 0.0;;) {
+    const double room = clearance(from + (length > 0.0 ? s / length : 0.0) * (to - from)) - radius;
+    if (room < 0.0) return false;
+    if (s >= length) return true;
+    s = std::min(length, s + std::max(room, 0.02));  // nothing is nearer than `room`
+  }
+}
+
+// A* on the grid's cells; a cell near walls costs up to three times as much.
+std::vector<int> FloorPlan::cells_to(int start, int goal, double radius) const {
+  struct Entry {
+    float total;
+    int cell;
+    bool operator<(const Entry& other) const {
+      return total != other.total ? total > other.total : cell > other.cell;
+    }
+  };
+  const std::size_t count = clearance_.size();
+  std::vector<float> cost(count, std::numeric_limits<float>::infinity());
+  std::vector<int> from(count, -1);
+  std::priority_queue<Entry> open;
+  const auto to_go = [&](int cell) {
+    return static_cast<float>((center_of(cell) - center_of(goal)).norm());
+  };
+  cost[static_cast<std::size_t>(start)] = 0.0F;
+  open.push({to_go(start), start});
+  while (!open.empty()) {
+    const auto [total, cell] = open.top();
+    open.pop();
+    if (cell == goal) break;
+    const float so_far = cost[static_cast<std::size_t>(cell)];
+    if (total > so_far + to_go(cell) + 1e-3F) continue;  // found a cheaper way meanwhile
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int column = cell % columns_ + dx;
+        const int row = cell / columns_ + dy;
+        if (column < 0 || row < 0 || column >= columns_ || row >= rows_) continue;
+        const int next = row * columns_ + column;
+        const double room = clearance_[static_cast<std::size_t>(next)] - radius;
+        if (room < 0.0 && next != goal) continue;
+        const double tight = std::clamp(1.0 - room / 0.4, 0.0, 1.0);
+        const double way = kCell * std::hypot(dx, dy) * (1.0 + 2.0 * tight);
+        const float new_cost = so_far + static_cast<float>(way);
+        if (new_cost >= cost[static_cast<std::size_t>(next)]) continue;
+        cost[static_cast<std::size_t>(next)] = new_cost;
+        from[static_cast<std::size_t>(next)] = cell;
+        open.push({new_cost + to_go(next), next});
+      }
+    }
+  }
+  if (from[static_cast<std::size_t>(goal)] < 0) return {};
+  std::vector<int> cells;
+  for (int cell = goal; cell != -1; cell = from[static_cast<std::size_t>(cell)]) {
+    cells.push_back(cell);
+  }
+  std::reverse(cells.begin(), cells.end());
+  return cells;
+}
+
+std::optional<std::vector<Eigen::Vector2d>> FloorPlan::way(const Eigen::Vector2d& from,
+                                                           const Eigen::Vector2d& to,
+                                                           double radius) const {
+  if (is_straight_way(from, to, radius)) return std::vector<Eigen::Vector2d>{from, to};
+  const int start = cell_of(from);
+  const int goal = cell_of(to);
+  if (start < 0 || goal < 0) return std::nullopt;
+  if (start == goal) return std::vector<Eigen::Vector2d>{from, to};
+  const std::vector<int> cells = cells_to(start, goal, radius);
+  if (cells.empty()) return std::nullopt;
+
+  // Straight where it can be: from each corner to the last cell in sight.
+  std::vector<Eigen::Vector2d> corners{from};
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    const bool is_last = i + 1 == cells.size();
+    const Eigen::Vector2d next = is_last ? to : center_of(cells[i + 1]);
+    if (!is_last && is_straight_way(corners.back(), next, radius)) continue;
+    corners.push_back(is_last ? to : center_of(cells[i]));
+  }
+  return corners;
+}
+
+}  // namespace mapbed

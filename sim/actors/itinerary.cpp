@@ -1,0 +1,90 @@
+#include "sim/actors/itinerary.h"
+
+#include <cmath>
+
+#include "core/check.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kArrived = 0.6;    // [m]
+constexpr double kLookEvery = 0.3;  // [s]
+constexpr double kPatience = 4.0;   // [s] without getting nearer, then try another way
+constexpr double kScatter = 0.35;   // [m] nobody walks exactly where others do
+
+}  // namespace
+
+Itinerary::Itinerary(const CrowdRoute& route, const CrowdRules& rules, std::size_t next,
+                     int direction, Rng rng)
+    : points_(route.points),
+      closed_(route.closed),
+      pause_share_(rules.pause_share),
+      mean_pause_(rules.mean_pause),
+      next_(next),
+      direction_(direction),
+      rng_(rng) {
+  CHECK(points_.size() >= 2 && next < points_.size());
+}
+
+void Itinerary::arrive(double time) {
+  if (rng_.uniform() < pause_share_)
+    pause_until_ = time - mean_pause_ * std::log(1.0 - rng_.uniform());
+  const std::size_t count = points_.size();
+  if (closed_) {
+    next_ = direction_ > 0 ? (next_ + 1) % count : (next_ + count - 1) % count;
+  } else {
+    if (direction_ > 0 && next_ + 1 == count) direction_ = -1;
+    if (direction_ < 0 && next_ == 0) direction_ = 1;
+    next_ = direction_ > 0 ? next_ + 1 : next_ - 1;
+  }
+  corners_.clear();
+}
+
+void Itinerary::plan_way(const Eigen::Vector2d& position, double radius, const FloorPlan& plan,
+                         double time) {
+  goal_ = points_[next_];
+  for (int attempt = 0; attempt < 8; ++attempt) {
+    const Eigen::Vector2d near =
+        points_[next_] + kScatter * Eigen::Vector2d(rng_.normal(), rng_.normal());
+    if (!plan.is_straight_way(points_[next_], near, radius)) continue;
+    goal_ = near;
+    break;
+  }
+  const auto way = plan.way(position, goal_, radius);
+  corners_ = way ? *way : std::vector<Eigen::Vector2d>{position, goal_};
+  corner_ = 1;
+  stuck_since_ = time;
+  least_left_ = (goal_ - position).norm();
+}
+
+Eigen::Vector2d Itinerary::wish(const Eigen::Vector2d& position, double speed, double radius,
+                                const FloorPlan& plan, double time) {
+  if (is_pausing(time)) {
+    stuck_since_ = time;
+    return Eigen::Vector2d::Zero();
+  }
+  if (corners_.empty()) plan_way(position, radius, plan, time);
+  if ((goal_ - position).norm() < kArrived) {
+    arrive(time);
+    return is_pausing(time) ? Eigen::Vector2d::Zero() : wish(position, speed, radius, plan, time);
+  }
+  const double left = (goal_ - position).norm();
+  if (left < least_left_ - 0.2 || corner_ + 1 < corners_.size()) {
+    least_left_ = left;
+    stuck_since_ = std::max(stuck_since_, time - kPatience / 2.0);
+  }
+  if (time - stuck_since_ > kPatience) plan_way(position, radius, plan, time);
+  if (time >= next_look_) {
+    next_look_ = time + kLookEvery;
+    while (corner_ + 1 < corners_.size() &&
+           plan.is_straight_way(position, corners_[corner_ + 1], radius)) {
+      ++corner_;
+    }
+  }
+  const Eigen::Vector2d to_go = corners_[corner_] - position;
+  const double d = to_go.norm();
+  if (d < 0.3 && corner_ + 1 < corners_.size()) ++corner_;
+  return d > 1e-9 ? Eigen::Vector2d(speed / d * to_go) : Eigen::Vector2d::Zero();
+}
+
+}  // namespace mapbed

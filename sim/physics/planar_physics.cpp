@@ -1,0 +1,182 @@
+#include "sim/physics/planar_physics.h"
+
+#include <cmath>
+#include <vector>
+
+#include <box2d/box2d.h>
+
+#include "core/check.h"
+#include "core/geometry/angle.h"
+#include "worlds/footprint.h"
+
+namespace mapbed {
+namespace {
+
+constexpr int kVelocityIterations = 8;
+constexpr int kPositionIterations = 3;
+constexpr double kFloorThickness = 0.02;  // [m] what is lower than this is driven over
+constexpr float kWallFriction = 0.3F;
+
+b2Vec2 b2(double x, double y) {
+  return {static_cast<float>(x), static_cast<float>(y)};
+}
+b2Vec2 b2(const Eigen::Vector2d& p) {
+  return b2(p.x(), p.y());
+}
+
+void add_fixture(b2Body& body, const b2Shape& shape, double density) {
+  b2FixtureDef fixture;
+  fixture.shape = &shape;
+  fixture.density = static_cast<float>(density);
+  fixture.friction = kWallFriction;
+  fixture.restitution = 0.0F;
+  body.CreateFixture(&fixture);
+}
+
+void add_obstacle(b2Body& ground, const Footprint& footprint) {
+  if (footprint.outline.empty()) {
+    b2CircleShape circle;
+    circle.m_p = b2(footprint.center);
+    circle.m_radius = static_cast<float>(footprint.radius);
+    add_fixture(ground, circle, 0.0);
+    return;
+  }
+  const auto& outline = footprint.outline;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Eigen::Vector2d& from = outline[i];
+    const Eigen::Vector2d& to = outline[(i + 1) % outline.size()];
+    if ((to - from).norm() < 0.01) continue;  // two vertices of Box2D must be 5 mm apart
+    b2EdgeShape edge;
+    edge.SetTwoSided(b2(from), b2(to));
+    add_fixture(ground, edge, 0.0);
+  }
+}
+
+void add_robot_shape(b2Body& body, const Robot& robot) {
+  const RobotFootprint& f = robot.footprint;
+  if (f.radius > 0.0) {
+    b2CircleShape circle;
+    circle.m_radius = static_cast<float>(f.radius);
+    add_fixture(body, circle, robot.mass / (kPi * f.radius * f.radius));
+    return;
+  }
+  b2PolygonShape box;
+  box.SetAsBox(static_cast<float>(f.length / 2.0), static_cast<float>(f.width / 2.0));
+  add_fixture(body, box, robot.mass / (f.length * f.width));
+}
+
+}  // namespace
+
+struct PlanarPhysics::State {
+  State(const Robot& model, const Rng& rng) : world(b2Vec2(0.0F, 0.0F)), wheels(model, rng) {}
+
+  b2World world;
+  Wheels wheels;
+  b2Body* robot = nullptr;
+  std::vector<b2Body*> movers;  // index: id
+  std::vector<Pose2> targets;   // where the movers are after the next step
+};
+
+PlanarPhysics::PlanarPhysics(const World& world, const Robot& robot, const Pose2& start,
+                             const Rng& rng)
+    : state_(std::make_unique<State>(robot, rng)) {
+  b2BodyDef ground_def;
+  b2Body* ground = state_->world.CreateBody(&ground_def);
+  for (const Footprint& footprint : footprints(world, kFloorThickness, robot.height)) {
+    const EntityKind kind = world.entities[static_cast<std::size_t>(footprint.entity)].kind;
+    if (kind == EntityKind::floor || kind == EntityKind::door) continue;
+    add_obstacle(*ground, footprint);
+  }
+
+  b2BodyDef robot_def;
+  robot_def.type = b2_dynamicBody;
+  robot_def.position = b2(start.x, start.y);
+  robot_def.angle = static_cast<float>(start.theta);
+  robot_def.allowSleep = false;
+  state_->robot = state_->world.CreateBody(&robot_def);
+  add_robot_shape(*state_->robot, robot);
+}
+
+PlanarPhysics::~PlanarPhysics() = default;
+PlanarPhysics::PlanarPhysics(PlanarPhysics&&) noexcept = default;
+PlanarPhysics& PlanarPhysics::operator=(PlanarPhysics&&) noexcept = default;
+
+int PlanarPhysics::add_person(const Eigen::Vector2d& position, double radius) {
+  b2BodyDef def;
+  def.type = b2_kinematicBody;
+  def.position = b2(position);
+  b2Body* body = state_->world.CreateBody(&def);
+  b2CircleShape circle;
+  circle.m_radius = static_cast<float>(radius);
+  add_fixture(*body, circle, 0.0);
+  state_->movers.push_back(body);
+  state_->targets.push_back({position.x(), position.y(), 0.0});
+  return static_cast<int>(state_->movers.size()) - 1;
+}
+
+int PlanarPhysics::add_door(const Pose2& world_from_hinge, double width, double thickness) {
+  b2BodyDef def;
+  def.type = b2_kinematicBody;
+  def.position = b2(world_from_hinge.x, world_from_hinge.y);
+  def.angle = static_cast<float>(world_from_hinge.theta);
+  b2Body* body = state_->world.CreateBody(&def);
+  b2PolygonShape leaf;
+  leaf.SetAsBox(static_cast<float>(width / 2.0), static_cast<float>(thickness / 2.0),
+                b2(width / 2.0, 0.0), 0.0F);
+  add_fixture(*body, leaf, 0.0);
+  state_->movers.push_back(body);
+  state_->targets.push_back(world_from_hinge);
+  return static_cast<int>(state_->movers.size()) - 1;
+}
+
+void PlanarPhysics::move(int id, const Pose2& pose) {
+  CHECK(id >= 0 && static_cast<std::size_t>(id) < state_->movers.size());
+  state_->targets[static_cast<std::size_t>(id)] = pose;
+}
+
+void PlanarPhysics::step(const DriveCommand& command, double dt) {
+  State& s = *state_;
+  for (std::size_t i = 0; i < s.movers.size(); ++i) {
+    b2Body& body = *s.movers[i];
+    const b2Vec2 way = b2(s.targets[i].x, s.targets[i].y) - body.GetPosition();
+    const double turn = angle_difference(body.GetAngle(), s.targets[i].theta);
+    const float rate = static_cast<float>(1.0 / dt);
+    if (way.LengthSquared() == 0.0F && std::abs(turn) < 1e-6) {
+      if (body.GetLinearVelocity().LengthSquared() > 0.0F) body.SetLinearVelocity({0.0F, 0.0F});
+      if (body.GetAngularVelocity() != 0.0F) body.SetAngularVelocity(0.0F);
+      continue;
+    }
+    body.SetLinearVelocity(rate * way);
+    body.SetAngularVelocity(rate * static_cast<float>(turn));
+  }
+
+  s.wheels.drive(command, dt);
+  const Twist2 now = robot_velocity();
+  const Twist2 next = s.wheels.push(now, robot(), dt);
+  s.robot->SetLinearVelocity(s.robot->GetWorldVector(b2(next.forward, next.left)));
+  s.robot->SetAngularVelocity(static_cast<float>(next.turn));
+  s.world.Step(static_cast<float>(dt), kVelocityIterations, kPositionIterations);
+}
+
+Pose2 PlanarPhysics::robot() const {
+  const b2Vec2 p = state_->robot->GetPosition();
+  return {p.x, p.y, normalized_angle(state_->robot->GetAngle())};
+}
+
+Twist2 PlanarPhysics::robot_velocity() const {
+  const b2Vec2 v = state_->robot->GetLocalVector(state_->robot->GetLinearVelocity());
+  return {v.x, v.y, state_->robot->GetAngularVelocity()};
+}
+
+const Wheels& PlanarPhysics::wheels() const {
+  return state_->wheels;
+}
+
+bool PlanarPhysics::is_touching() const {
+  for (const b2ContactEdge* c = state_->robot->GetContactList(); c != nullptr; c = c->next) {
+    if (c->contact->IsTouching()) return true;
+  }
+  return false;
+}
+
+}  // namespace mapbed

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+#include "core/random.h"
+#include "sim/physics/wheels.h"
+#include "worlds/world.h"
+
+namespace mapbed {
+
+// Bodies on a flat floor: one robot that pushes against walls, doors and people, none of which it
+// can move. Fixed steps, the same result on every run.
+class PlanarPhysics {
+ public:
+  // Everything solid of the world below the robot's height is an obstacle, door leaves excepted.
+  PlanarPhysics(const World& world, const Robot& robot, const Pose2& start, const Rng& rng);
+  ~PlanarPhysics();
+  PlanarPhysics(PlanarPhysics&&) noexcept;
+  PlanarPhysics& operator=(PlanarPhysics&&) noexcept;
+
+  // Moving obstacles go where somebody else takes them. Both give an id for move().
+  int add_person(const Eigen::Vector2d& position, double radius);
+  int add_door(const Pose2& world_from_hinge, double width, double thickness);
+  // During the next step it gets from where it is to `pose`.
+  void move(int id, const Pose2& pose);
+
+  void step(const DriveCommand& command, double dt);
+
+  Pose2 robot() const;  // world_from_robot
+  Twist2 robot_velocity() const;
+  const Wheels& wheels() const;
+  bool is_touching() const;  // the robot touches something
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace mapbed

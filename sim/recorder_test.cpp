@@ -1,0 +1,227 @@
+#include "sim/recorder.h"
+
+#include <cmath>
+
+#include "core/geometry/angle.h"
+#include "core/testing/is_near.h"
+#include "core/testing/throws_input_error.h"
+#include "sim/scripted_driver.h"
+#include "sim/testing/small_world.h"
+
+namespace mapbed {
+namespace {
+
+World room_with_path() {
+  World world = small_room(8.0, 5.0);
+  world.entities.push_back(block("column", {4.0, 3.0}, {0.4, 0.4}));
+  world.paths = {{.name = "round", .points = {{{1.0, 1.0}}, {{6.5, 1.0}}, {{6.5, 4.0}}}}};
+  world.crowd.routes = {{.name = "across", .points = {{1.0, 4.0}, {5.5, 4.0}}}};
+  world.crowd.places = {{.position = {2.0, 3.0}, .radius = 0.5}};
+  return world;
+}
+
+Robot small_robot() {
+  Robot robot;
+  robot.name = "small";
+  robot.mass = 20.0;
+  robot.height = 0.5;
+  robot.footprint.radius = 0.25;
+  MountedLaser& laser = robot.lasers.emplace_back();
+  laser.name = "front";
+  laser.height = 0.35;
+  laser.model.beams = 60;
+  laser.model.bearing_step = radians(3.0);
+  return robot;
+}
+
+struct Drive {
+  Recording recording;
+  SensorLog log;
+};
+
+Drive recorded(const World& world, const Robot& robot, const CrowdOptions& people,
+               std::uint64_t seed, const RecorderOptions& options = {}) {
+  const Rng rng(seed);
+  Simulation simulation(world, robot, start_of(world.paths[0]), {.people = people}, rng);
+  ScriptedDriver driver(simulation, world.paths[0]);
+  RecorderOptions bounded = options;
+  bounded.longest = std::min(bounded.longest, driver.longest_time());
+  Recording recording = record(simulation, driver, bounded, rng);
+  SensorLog log = with_noise(recording, robot, rng);
+  return {std::move(recording), std::move(log)};
+}
+
+TEST(Recorder, TheDriverFollowsItsPathToTheEnd) {
+  const Drive run = recorded(room_with_path(), small_robot(), {}, 1);
+  EXPECT_TRUE(run.recording.is_complete);
+  const Pose2 end = run.recording.truth.scans.back().world_from_robot;
+  EXPECT_LT((end.position() - Eigen::Vector2d(6.5, 4.0)).norm(), 0.25);
+  for (const TruthScan& scan : run.recording.truth.scans) {
+    EXPECT_GT(scan.world_from_robot.y, 0.8);  // never far off its straight legs
+    EXPECT_LT(scan.world_from_robot.x, 6.8);
+  }
+}
+
+TEST(Recorder, EveryScanHasOdometryOfItsStampBeforeIt) {
+  const Drive run = recorded(room_with_path(), small_robot(), {}, 1);
+  ASSERT_EQ(run.log.size(), 2 * run.recording.scans.size());
+  for (std::size_t i = 0; i + 1 < run.log.size(); i += 2) {
+    ASSERT_TRUE(std::holds_alternative<Odometry>(run.log[i]));
+    ASSERT_TRUE(std::holds_alternative<LaserScan>(run.log[i + 1]));
+    ASSERT_EQ(time_of(run.log[i]), time_of(run.log[i + 1]));
+  }
+}
+
+TEST(Recorder, ScansComeAtTheLasersRate) {
+  const Drive run = recorded(room_with_path(), small_robot(), {}, 1);
+  const auto& scans = run.recording.scans;
+  for (std::size_t i = 1; i < scans.size(); ++i) {
+    EXPECT_NEAR(scans[i].time - scans[i - 1].time, 0.2, 1e-9);
+  }
+}
+
+TEST(Recorder, TheTruthIsWhatABeamReadsWithoutNoise) {
+  Robot robot = small_robot();
+  LaserNoise& noise = robot.lasers[0].model.noise;
+  noise = {.sigma_near = 0.0,
+           .sigma_far = 0.0,
+           .step = 0.0,
+           .dark_range = 0.0,
+           .miss_probability = 0.0,
+           .short_probability = 0.0,
+           .random_probability = 0.0,
+           .mixed_pixels = MixedPixels::off};
+  const Drive run = recorded(room_with_path(), robot, {.walkers = 2}, 1);
+  std::size_t scan = 0;
+  for (const Measurement& m : run.log) {
+    const auto* reading = std::get_if<LaserScan>(&m);
+    if (reading == nullptr) continue;
+    const TruthScan& truth = run.recording.truth.scans[scan++];
+    for (std::size_t k = 0; k < reading->ranges.size(); ++k) {
+      const double expected = std::min<double>(truth.beams[k].range, reading->max_range);
+      ASSERT_NEAR(reading->ranges[k], expected, 1e-6);
+    }
+  }
+}
+
+TEST(Recorder, BeamsOnPeopleAreLabelledAsSuch) {
+  const Drive run = recorded(room_with_path(), small_robot(), {.walkers = 2, .standing = 1}, 1);
+  const Truth& truth = run.recording.truth;
+  std::size_t on_walkers = 0;
+  std::size_t on_standing = 0;
+  for (const TruthScan& scan : truth.scans) {
+    for (const BeamTruth& beam : scan.beams) {
+      if (beam.entity < 0) continue;
+      const TruthEntity& entity = truth.entities[static_cast<std::size_t>(beam.entity)];
+      if (entity.kind != EntityKind::person) {
+        EXPECT_FALSE(beam.is_moving);
+        continue;
+      }
+      EXPECT_LE(beam.part, 1);  // a leg: the laser is below the trunk
+      if (entity.name == "person 3") ++on_standing;
+      if (entity.name != "person 3" && beam.is_moving) ++on_walkers;
+    }
+  }
+  EXPECT_GT(on_walkers, 10u);
+  EXPECT_GT(on_standing, 10u);
+}
+
+TEST(Recorder, TheSameSeedGivesTheSameLogAndTruth) {
+  const CrowdOptions people{.walkers = 2, .standing = 1};
+  const Drive a = recorded(room_with_path(), small_robot(), people, 5);
+  const Drive b = recorded(room_with_path(), small_robot(), people, 5);
+  EXPECT_EQ(truth_text(a.recording.truth), truth_text(b.recording.truth));
+  ASSERT_EQ(a.log.size(), b.log.size());
+  for (std::size_t i = 1; i < a.log.size(); i += 2) {
+    ASSERT_EQ(std::get<LaserScan>(a.log[i]).ranges, std::get<LaserScan>(b.log[i]).ranges);
+    ASSERT_EQ(std::get<Odometry>(a.log[i - 1]).odometry_from_robot,
+              std::get<Odometry>(b.log[i - 1]).odometry_from_robot);
+  }
+}
+
+TEST(Recorder, ThePersonWhoStandsAsideChangesOnlyTheBeamsThatMeetHim) {
+  const Drive without = recorded(room_with_path(), small_robot(), {}, 5);
+  const Drive with = recorded(room_with_path(), small_robot(), {.standing = 1}, 5);
+  const std::size_t scans = std::min(without.recording.scans.size(), with.recording.scans.size());
+  std::size_t same = 0;
+  for (std::size_t s = 0; s < scans; ++s) {
+    if (with.recording.truth.scans[s].world_from_robot !=
+        without.recording.truth.scans[s].world_from_robot) {
+      break;  // the driver made way
+    }
+    ASSERT_EQ(std::get<Odometry>(without.log[2 * s]).odometry_from_robot,
+              std::get<Odometry>(with.log[2 * s]).odometry_from_robot);
+    const auto& a = std::get<LaserScan>(without.log[2 * s + 1]).ranges;
+    const auto& b = std::get<LaserScan>(with.log[2 * s + 1]).ranges;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const auto ideal_a = without.recording.scans[s].beam(k);
+      const auto ideal_b = with.recording.scans[s].beam(k);
+      if (ideal_a.size() != 1 || ideal_b.size() != 1) continue;
+      if (ideal_a[0].range != ideal_b[0].range) continue;
+      ASSERT_EQ(a[k], b[k]);
+      ++same;
+    }
+  }
+  EXPECT_GT(same, 1000u);
+}
+
+TEST(Recorder, WhatTheDriverIsToldIsWhatTheLogSays) {
+  class Listener : public Driver {
+   public:
+    void add(const Measurement& m) override { heard.push_back(m); }
+    DriveCommand command(double time) override {
+      now = time;
+      return {.forward_velocity = 0.3};
+    }
+    bool is_done() const override { return now > 2.0; }
+    SensorLog heard;
+    double now = 0.0;
+  };
+  const World world = room_with_path();
+  const Robot robot = small_robot();
+  const Rng rng(3);
+  Simulation simulation(world, robot, start_of(world.paths[0]), {}, rng);
+  Listener listener;
+  const Recording recording = record(simulation, listener, {.tells_driver = true}, rng);
+  const SensorLog log = with_noise(recording, robot, rng);
+  ASSERT_EQ(listener.heard.size(), log.size());
+  for (std::size_t i = 1; i < log.size(); i += 2) {
+    EXPECT_EQ(std::get<LaserScan>(listener.heard[i]).ranges, std::get<LaserScan>(log[i]).ranges);
+    EXPECT_EQ(std::get<Odometry>(listener.heard[i - 1]).odometry_from_robot,
+              std::get<Odometry>(log[i - 1]).odometry_from_robot);
+  }
+}
+
+TEST(Simulation, ARobotThatStartsInAnObstacleIsRefused) {
+  EXPECT_INPUT_ERROR(
+      Simulation(room_with_path(), small_robot(), {4.0, 2.9, 0.0}, {}, Rng(1)),
+      "robot 'small' starts inside an obstacle: 'column' of world 'small room' stands at "
+      "(4.00 m, 2.90 m); start it elsewhere");
+}
+
+TEST(Simulation, EveryBeamOfATurningRobotHasItsOwnPose) {
+  Robot robot = small_robot();
+  robot.drive.kind = DriveKind::synchro;
+  robot.drive.turn_acceleration = 100.0;
+  robot.lasers[0].model.mirror_rate = 20.0;  // a slow one: half a turn takes 25 ms
+  const World world = small_room(8.0, 8.0);
+  Simulation simulation(world, robot, {4.0, 4.0, 0.0}, {}, Rng(1));
+  for (int i = 0; i < 100; ++i) simulation.step({.turn_velocity = 1.0});
+  const double start = simulation.now().time - 0.05;
+  const Simulation::Sweep sweep = simulation.sweep(0, start, 0);
+  // The axis of beam k leaves at its own heading: from the middle of the room, ranges tell it.
+  for (std::size_t k = 0; k < 60; ++k) {
+    const Pose2 pose =
+        simulation.at(start + robot.lasers[0].model.beam_delay(static_cast<int>(k))).robot;
+    const double heading =
+        pose.theta + robot.lasers[0].model.first_bearing + radians(3.0 * static_cast<double>(k));
+    const double c = std::cos(heading);
+    const double s = std::sin(heading);
+    const double to_x = c > 0 ? (8.0 - pose.x) / c : -pose.x / c;
+    const double to_y = s > 0 ? (8.0 - pose.y) / s : -pose.y / s;
+    EXPECT_NEAR(sweep.truth.beams[k].range, std::min(to_x, to_y), 2e-3);
+  }
+}
+
+}  // namespace
+}  // namespace mapbed

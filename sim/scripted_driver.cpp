@@ -1,0 +1,160 @@
+#include "sim/scripted_driver.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/check.h"
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kDecideEvery = 0.05;  // [s]
+constexpr double kArrived = 0.15;      // [m]
+constexpr double kDetour = 1.5;        // [m] how far to look for a way round somebody
+constexpr double kTurnGain = 2.0;      // [1/s]
+
+// Of a point from the straight way between two others. [m]
+double distance_to_way(const Vector2d& point, const Vector2d& from, const Vector2d& to) {
+  return (nearest_point({from, to, 0.0}, point) - point).norm();
+}
+
+}  // namespace
+
+Pose2 start_of(const NamedPath& path) {
+  CHECK(path.points.size() >= 2);
+  const Vector2d& from = path.points[0].position;
+  const Vector2d way = path.points[1].position - from;
+  return {from.x(), from.y(), std::atan2(way.y(), way.x())};
+}
+
+ScriptedDriver::ScriptedDriver(const Simulation& simulation, const NamedPath& path,
+                               const ScriptedDriverOptions& options)
+    : simulation_(simulation), path_(path), options_(options) {
+  CHECK(path_.points.size() >= 2);
+}
+
+double ScriptedDriver::longest_time() const {
+  double seconds = 120.0;
+  for (std::size_t i = 1; i < path_.points.size(); ++i) {
+    const double speed = path_.points[i].speed > 0.0 ? path_.points[i].speed : options_.speed;
+    const double way = (path_.points[i].position - path_.points[i - 1].position).norm();
+    seconds += 3.0 * way / std::min(speed, simulation_.robot().drive.max_speed) + 5.0 +
+               path_.points[i].pause;
+  }
+  return seconds;
+}
+
+Vector2d ScriptedDriver::target() {
+  const Vector2d robot = simulation_.now().robot.position();
+  for (;;) {
+    const Vector2d& from = path_.points[leg_ - 1].position;
+    const Vector2d& to = path_.points[leg_].position;
+    const Vector2d way = to - from;
+    const double length = way.norm();
+    const Vector2d along = length > 0.0 ? Vector2d(way / length) : Vector2d(1.0, 0.0);
+    progress_ = std::clamp((robot - from).dot(along), progress_, length);
+    const bool is_stop = leg_ + 1 == path_.points.size() || path_.points[leg_].pause > 0.0;
+    const double left = length - progress_;
+    if (!is_stop && left < 0.5 * options_.look_ahead) {
+      ++leg_;
+      progress_ = 0.0;
+      continue;
+    }
+    return from + std::min(length, progress_ + options_.look_ahead) * along;
+  }
+}
+
+double ScriptedDriver::way_left() const {
+  const WayPoint& next = path_.points[leg_];
+  const bool is_stop = leg_ + 1 == path_.points.size() || next.pause > 0.0;
+  return is_stop ? (next.position - simulation_.now().robot.position()).norm() : kDetour;
+}
+
+bool ScriptedDriver::is_free_way(const Vector2d& to, bool mind_people) const {
+  const Situation& now = simulation_.now();
+  const Vector2d from = now.robot.position();
+  const double reach = simulation_.robot().footprint.reach();
+  if (!simulation_.floor_plan().is_straight_way(from, to, reach + options_.margin)) return false;
+  if (!mind_people) return true;
+  for (const PersonView& person : now.people) {
+    const Vector2d there = person.pose.position() + 0.5 * person.velocity;
+    const double keep = reach + person.radius + options_.people_margin;
+    // Whoever is near already does not stop a way that leads away from him.
+    for (const Vector2d& place : {person.pose.position(), there}) {
+      const double d = distance_to_way(place, from, to);
+      if (d < keep && (place - from).dot(to - from) > 0.0) return false;
+    }
+  }
+  return true;
+}
+
+// The free direction nearest to that of `to`; the robot's own place where there is none.
+Vector2d ScriptedDriver::way_round(const Vector2d& to) const {
+  const Vector2d from = simulation_.now().robot.position();
+  const Vector2d way = to - from;
+  const double ahead = std::atan2(way.y(), way.x());
+  for (int step = 1; step <= 10; ++step) {
+    for (const double side : {-1.0, 1.0}) {  // on the right first
+      const double direction = ahead + side * step * radians(10.0);
+      const Vector2d there = from + kDetour * Vector2d(std::cos(direction), std::sin(direction));
+      if (is_free_way(there, true)) return there;
+    }
+  }
+  return from;
+}
+
+DriveCommand ScriptedDriver::steer(const Vector2d& to, double speed) const {
+  const Pose2 robot = simulation_.now().robot;
+  const Vector2d way = inverse(robot) * to;
+  if (way.norm() < 1e-3) return {};
+  const double bearing = std::atan2(way.y(), way.x());
+  const double turn_limit = std::min(1.0, simulation_.robot().drive.max_turn_speed);
+  DriveCommand command;
+  command.turn_velocity = std::clamp(kTurnGain * bearing, -turn_limit, turn_limit);
+  // Turns on the spot where the way leads aside, and does not run past the next stop.
+  const double facing = std::max(0.0, 1.0 - std::abs(bearing) / radians(60.0));
+  const double braking =
+      std::sqrt(2.0 * 0.5 * simulation_.robot().drive.acceleration * std::max(0.02, way_left()));
+  command.forward_velocity = facing * std::min(speed, braking);
+  return command;
+}
+
+DriveCommand ScriptedDriver::command(double time) {
+  if (is_done_ || time < pause_until_) return {};
+  if (asked_ >= 0.0 && time < asked_ + kDecideEvery - 1e-9) return last_;
+  asked_ = time;
+  last_ = {};
+
+  const Vector2d to = target();
+  const WayPoint& next = path_.points[leg_];
+  const Vector2d robot = simulation_.now().robot.position();
+  const bool is_last = leg_ + 1 == path_.points.size();
+  if ((is_last || next.pause > 0.0) && (next.position - robot).norm() < kArrived) {
+    pause_until_ = time + next.pause;
+    is_done_ = is_last;
+    if (!is_last) ++leg_, progress_ = 0.0;
+    return last_;
+  }
+
+  const double speed = next.speed > 0.0 ? next.speed : options_.speed;
+  if (is_free_way(to, true)) {
+    wait_since_ = -1.0;
+    return last_ = steer(to, speed);
+  }
+  if (is_free_way(to, false)) {  // somebody is in the way
+    if (wait_since_ < 0.0) wait_since_ = time;
+    if (time - wait_since_ < options_.patience) return last_;
+    return last_ = steer(way_round(to), 0.6 * speed);
+  }
+  // Off the path by a detour: back to it round the walls.
+  const double reach = simulation_.robot().footprint.reach();
+  const auto way = simulation_.floor_plan().way(robot, to, reach + 0.5 * options_.margin);
+  const Vector2d corner = way ? (*way)[1] : to;
+  return last_ = steer(corner, 0.6 * speed);
+}
+
+}  // namespace mapbed

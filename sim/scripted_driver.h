@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/config/option.h"
+#include "core/driver.h"
+#include "sim/simulation.h"
+
+namespace mapbed {
+
+struct ScriptedDriverOptions {
+  double speed = 0.4;           // [m/s] where the path does not say
+  double look_ahead = 0.6;      // [m] the point of the path that is steered for
+  double margin = 0.12;         // [m] kept from walls
+  double people_margin = 0.25;  // [m] kept from people
+  double patience = 3.0;        // [s] waits for somebody in the way, then goes round
+};
+
+template <class Visitor>
+void visit_fields(ScriptedDriverOptions& o, Visitor&& visit) {
+  visit("speed", o.speed, Unit::meter_per_second, kPositive, "where the path does not say");
+  visit("look_ahead", o.look_ahead, Unit::meter, kPositive, "how far ahead it steers for");
+  visit("margin", o.margin, Unit::meter, kNotNegative, "distance kept from walls");
+  visit("people_margin", o.people_margin, Unit::meter, kNotNegative, "distance kept from people");
+  visit("patience", o.patience, Unit::second, kNotNegative,
+        "waits this long for somebody in the way, then goes round");
+}
+
+// Follows a named path of the world as a careful operator would, who sees robot and people: slows
+// down at corners, waits for people in the way, and where they stay goes round them if there is
+// room. Looks at the simulation, not at measurements.
+class ScriptedDriver : public Driver {
+ public:
+  ScriptedDriver(const Simulation& simulation, const NamedPath& path,
+                 const ScriptedDriverOptions& options = {});
+
+  void add(const Measurement& /*measurement*/) override {}
+  DriveCommand command(double time) override;
+  bool is_done() const override { return is_done_; }
+
+  double longest_time() const;  // [s] after which something must be wrong
+
+ private:
+  // The point to steer for, on the path `look_ahead` further than the robot has come.
+  Eigen::Vector2d target();
+  bool is_free_way(const Eigen::Vector2d& to, bool mind_people) const;
+  Eigen::Vector2d way_round(const Eigen::Vector2d& to) const;
+  DriveCommand steer(const Eigen::Vector2d& to, double speed) const;
+  double way_left() const;  // [m] to the next way-point that is a pause or the end
+
+  const Simulation& simulation_;
+  NamedPath path_;
+  ScriptedDriverOptions options_;
+  std::size_t leg_ = 1;        // on the way to this way-point
+  double progress_ = 0.0;      // [m] along that leg
+  double pause_until_ = -1.0;  // [s]
+  double wait_since_ = -1.0;   // [s] somebody is in the way; -1: nobody
+  double asked_ = -1.0;        // [s] last decision
+  DriveCommand last_;
+  bool is_done_ = false;
+};
+
+// Where a drive along the path starts: on its first point, looking to the second.
+Pose2 start_of(const NamedPath& path);
+
+}  // namespace mapbed
