@@ -14,7 +14,7 @@ namespace mapbed {
 namespace {
 
 constexpr double kCell = 0.2;    // [m]
-constexpr int kBlock = 4;        // cells along the side of a block that shares its near walls
+constexpr int kBlock = 2;        // cells along the side of a block that shares its near walls
 constexpr double kMargin = 1.0;  // [m] of grid around the outermost walls
 constexpr double kHalfDiagonal = 0.5 * 1.4142135623730951 * kCell;
 constexpr double kMostCells = 4e7;

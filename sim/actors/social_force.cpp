@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/geometry/angle.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFarAway = 10.0;   // in ranges B: exp(-10) of the repulsion is nothing
+constexpr double kFarAway = 7.0;     // in ranges B: exp(-7) of the repulsion is below 2 N
 constexpr double kHardShare = 0.7;  // of the radius that nothing gets into
 constexpr double kStandTurn = 3.0;  // [1/s^2] stiffness of turning on the spot
 constexpr double kLeastPull = 0.5;  // of the heading towards the wish, where f_0 has died away
@@ -43,8 +44,10 @@ class WallPoints {
 
   void consider(const Wall& wall, double reach) {
     const Vector2d out = position_ - nearest_point(wall, position_);
-    const double d = out.norm();
-    if (d >= reach || d < 1e-9) return;
+    const double d2 = out.squaredNorm();
+    if (d2 >= reach * reach || d2 < 1e-18) return;
+    const double d = std::sqrt(d2);
+    nearest_ = std::min(nearest_, d);
     const Point candidate{d, out / d};
     for (std::size_t i = 0; i < count_; ++i) {
       if (points_[i].n.dot(candidate.n) < 0.5) continue;  // more than 60 deg apart
@@ -59,25 +62,33 @@ class WallPoints {
     Vector2d n;
   };
   std::span<const Point> points() const { return {points_.data(), count_}; }
+  double nearest() const { return nearest_; }  // [m] infinite where nothing is in reach
 
  private:
   Vector2d position_;
   std::array<Point, 4> points_{};
   std::size_t count_ = 0;
+  double nearest_ = std::numeric_limits<double>::infinity();
 };
 
-Vector2d force_of_walls(const Walker& walker, const FloorPlan& plan, std::span<const Wall> doors,
-                        const SocialForceOptions& o) {
+struct WallForce {
+  Vector2d force = Vector2d::Zero();
+  double nearest = 0.0;  // [m] to the nearest wall; infinite where none is in reach
+};
+
+WallForce force_of_walls(const Walker& walker, const FloorPlan& plan, std::span<const Wall> doors,
+                         const SocialForceOptions& o) {
   const double radius = o.shoulder * walker.radius;
   const double reach = radius + kFarAway * o.range;
   WallPoints near(walker.position);
   for (const Wall& wall : plan.walls_near(walker.position)) near.consider(wall, reach);
   for (const Wall& wall : doors) near.consider(wall, reach);
-  Vector2d force = Vector2d::Zero();
+  WallForce result;
+  result.nearest = near.nearest();
   for (const WallPoints::Point& p : near.points()) {
-    force += repulsion(sane(radius - p.distance, radius), p.n, -walker.velocity, o);
+    result.force += repulsion(sane(radius - p.distance, radius), p.n, -walker.velocity, o);
   }
-  return force;
+  return result;
 }
 
 void add_forces_between(const std::vector<Walker>& walkers, std::vector<Vector2d>& forces,
@@ -153,12 +164,14 @@ void keep_out(Walker& w, const Vector2d& center, double radius) {
   w.velocity -= std::min(0.0, w.velocity.dot(n)) * n;
 }
 
-void keep_out_of_solids(Walker& w, const FloorPlan& plan, std::span<const Wall> doors,
-                        std::span<const RoundObstacle> robots, const SocialForceOptions& o) {
+void keep_out_of_robots(Walker& w, std::span<const RoundObstacle> robots) {
   for (const RoundObstacle& robot : robots) {
     keep_out(w, robot.position, robot.radius + kHardShare * w.radius);
   }
-  const double hard = kHardShare * o.shoulder * w.radius;
+}
+
+void keep_out_of_walls(Walker& w, const FloorPlan& plan, std::span<const Wall> doors,
+                       double hard) {
   for (const Wall& wall : doors) keep_out(w, nearest_point(wall, w.position), hard);
   for (const Wall& wall : plan.walls_near(w.position)) {
     keep_out(w, nearest_point(wall, w.position), hard);
@@ -172,12 +185,19 @@ void advance(std::vector<Walker>& walkers, const FloorPlan& plan, std::span<cons
   std::vector<Vector2d> forces(walkers.size(), Vector2d::Zero());
   add_forces_between(walkers, forces, options);
   for (std::size_t i = 0; i < walkers.size(); ++i) {
-    forces[i] += force_of_walls(walkers[i], plan, doors, options) +
-                 force_of_robots(walkers[i], robots, options);
+    forces[i] += force_of_robots(walkers[i], robots, options);
   }
   for (std::size_t i = 0; i < walkers.size(); ++i) {
-    move(walkers[i], forces[i], options, dt);
-    keep_out_of_solids(walkers[i], plan, doors, robots, options);
+    Walker& w = walkers[i];
+    const WallForce walls = force_of_walls(w, plan, doors, options);
+    const Vector2d before = w.position;
+    move(w, forces[i] + walls.force, options, dt);
+    keep_out_of_robots(w, robots);
+    // Only who may have got too near has to be looked at again.
+    const double hard = kHardShare * options.shoulder * w.radius;
+    if (walls.nearest - (w.position - before).norm() < hard) {
+      keep_out_of_walls(w, plan, doors, hard);
+    }
   }
 }
 
