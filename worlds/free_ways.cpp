@@ -67,6 +67,24 @@ void check_way(const World& world, const std::vector<Footprint>& obstacles, cons
   }
 }
 
+std::vector<Footprint> obstacles_of(const World& world) {
+  return footprints(world, kLow, kHigh);
+}
+
+void check(const World& world, const std::vector<Footprint>& obstacles, const NamedPath& path) {
+  const std::string what = "path '" + path.name + "'";
+  if (path.points.size() < 2) {
+    throw InputError(what + " of world '" + world.name + "' has less than two points");
+  }
+  for (const FreeWay& way : ways_of(path)) check_way(world, obstacles, way, what);
+}
+
+void check(const World& world, const std::vector<Footprint>& obstacles, const CrowdRoute& route) {
+  for (const FreeWay& way : ways_of(route)) {
+    check_way(world, obstacles, way, "crowd route '" + route.name + "'");
+  }
+}
+
 }  // namespace
 
 std::vector<FreeWay> free_ways(const World& world) {
@@ -124,20 +142,18 @@ void Furnisher::take(const Entity& entity, int id) {
   }
 }
 
+void check_path(const World& world, const NamedPath& path) {
+  check(world, obstacles_of(world), path);
+}
+
+void check_route(const World& world, const CrowdRoute& route) {
+  check(world, obstacles_of(world), route);
+}
+
 void check_ways(const World& world) {
-  const std::vector<Footprint> obstacles = footprints(world, kLow, kHigh);
-  for (const NamedPath& path : world.paths) {
-    const std::string what = "path '" + path.name + "'";
-    if (path.points.size() < 2) {
-      throw InputError(what + " of world '" + world.name + "' has less than two points");
-    }
-    for (const FreeWay& way : ways_of(path)) check_way(world, obstacles, way, what);
-  }
-  for (const CrowdRoute& route : world.crowd.routes) {
-    for (const FreeWay& way : ways_of(route)) {
-      check_way(world, obstacles, way, "crowd route '" + route.name + "'");
-    }
-  }
+  const std::vector<Footprint> obstacles = obstacles_of(world);
+  for (const NamedPath& path : world.paths) check(world, obstacles, path);
+  for (const CrowdRoute& route : world.crowd.routes) check(world, obstacles, route);
 }
 
 }  // namespace mapbed

@@ -40,8 +40,10 @@ class Furnisher {
   std::vector<Taken> taken_;
 };
 
-// Throws InputError where a path or a crowd route runs too close to something (doors open), with
-// the path, the thing and the place, or where a path has less than two points.
-void check_ways(const World& world);
+// Throw InputError where a path or a crowd route runs too close to something (doors open), with the
+// path, the thing and the place, or where a path has less than two points.
+void check_path(const World& world, const NamedPath& path);
+void check_route(const World& world, const CrowdRoute& route);
+void check_ways(const World& world);  // all of them
 
 }  // namespace mapbed

@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "core/config/option.h"
+
 namespace mapbed {
 
 // What a surface does to light and radio waves.
@@ -24,6 +26,20 @@ struct Material {
   bool conductor = false;      // metal: reflects everything
   double crossing_loss = 3.0;  // [dB] of a wave that goes through once, >= 0
 };
+
+// All but the name and the color, which is three numbers.
+template <class Visitor>
+void visit_fields(Material& m, Visitor&& visit) {
+  visit("reflectivity", m.reflectivity, kShare, "share of laser light that comes back diffusely");
+  visit("transmittance", m.transmittance, kShare,
+        "probability that a laser beam passes straight through; 0: opaque");
+  visit("specular_hit", m.specular_hit, kShare, "of glass: probability of a hit along the normal");
+  visit("specular_width", m.specular_width, Unit::radian, kPositive,
+        "of glass: standard deviation of that peak");
+  visit("permittivity", m.permittivity, at_least(1), "relative, at 915 MHz");
+  visit("conductor", m.conductor, "reflects all radio waves");
+  visit("crossing_loss", m.crossing_loss, kNotNegative, "of a radio wave going through once [dB]");
+}
 
 // That a laser beam is reflected by the surface and not let through, at an angle of incidence from
 // the normal [rad]. 1 for opaque materials.

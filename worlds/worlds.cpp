@@ -6,6 +6,7 @@
 #include "worlds/loop_corridor/loop_corridor.h"
 #include "worlds/museum/museum.h"
 #include "worlds/office/office.h"
+#include "worlds/world_file.h"
 
 namespace mapbed {
 namespace {
@@ -47,6 +48,7 @@ const std::vector<WorldKind>& world_kinds() {
 }
 
 World build_world(const std::string& name, const Settings& settings) {
+  if (name.ends_with(".yaml")) return load_world(name, settings);
   std::vector<std::string> names;
   for (const WorldKind& world : world_kinds()) {
     if (world.name == name) return world.build(settings);

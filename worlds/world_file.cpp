@@ -1,0 +1,356 @@
+#include "worlds/world_file.h"
+
+#include <filesystem>
+#include <optional>
+
+#include "core/config/config_node.h"
+#include "core/config/suggestion.h"
+#include "core/input_error.h"
+#include "worlds/building.h"
+#include "worlds/free_ways.h"
+#include "worlds/obj_file.h"
+#include "worlds/plan_import.h"
+#include "worlds/triangulate.h"
+#include "worlds/worlds.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kLargest = 1e5;  // [m] of any coordinate
+
+// Reads one world file from top to bottom into a world.
+class WorldReader {
+ public:
+  WorldReader(const std::string& path, const Settings& settings)
+      : path_(path), settings_(settings), file_(load_config(path)) {}
+
+  World read() {
+    if (const ConfigNode* about = file_.find("about")) about->text();
+    read_start();
+    if (const ConfigNode* ceiling = file_.find("ceiling")) {
+      world_.ceiling = ceiling->number(Unit::meter, between(0.5, 100));
+    }
+    if (const ConfigNode* materials = file_.find("materials")) read_materials(*materials);
+    if (const ConfigNode* floor = file_.find("floor")) read_floor(*floor);
+    for_each("walls", [&](const ConfigNode& wall) { read_wall(wall); });
+    for_each("shapes", [&](const ConfigNode& shape) { read_shape(shape); });
+    if (const ConfigNode* paths = file_.find("paths")) read_paths(*paths);
+    if (const ConfigNode* crowd = file_.find("crowd")) read_crowd(*crowd);
+    file_.check_all_used("world file");
+    if (world_.entities.empty()) {
+      throw InputError({path_}, "the world is empty", "add start, plan, walls or shapes");
+    }
+    return std::move(world_);
+  }
+
+ private:
+  template <class Read>
+  void for_each(const std::string& key, Read read) {
+    if (const ConfigNode* list = file_.find(key)) {
+      for (const ConfigNode& item : list->items()) read(item);
+    }
+  }
+
+  static Eigen::VectorXd coordinates(const ConfigNode& node, std::size_t least, std::size_t most) {
+    const std::vector<double> numbers = node.numbers(Unit::meter, between(-kLargest, kLargest));
+    if (numbers.size() < least || numbers.size() > most) {
+      throw InputError(node.place(), std::to_string(numbers.size()) + " coordinates are given",
+                       least == most ? "write " + std::to_string(least)
+                                     : "write x and y, and a height if needed");
+    }
+    return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
+                                             static_cast<Eigen::Index>(numbers.size()));
+  }
+  static Eigen::Vector2d point(const ConfigNode& node) { return coordinates(node, 2, 2); }
+
+  static std::vector<Eigen::Vector2d> points(const ConfigNode& node, std::size_t least) {
+    std::vector<Eigen::Vector2d> result;
+    for (const ConfigNode& item : node.items()) result.push_back(point(item));
+    if (result.size() < least) {
+      throw InputError(node.place(), std::to_string(result.size()) + " points are too few",
+                       "give " + std::to_string(least) + " or more");
+    }
+    return result;
+  }
+
+  static double length(const ConfigNode& map, const std::string& key, double otherwise) {
+    const ConfigNode* node = map.find(key);
+    if (node == nullptr) return otherwise;
+    return node->number(Unit::meter, {.low = 0.0, .high = kLargest, .low_itself = false});
+  }
+
+  int material(const ConfigNode& map, const std::string& otherwise) const {
+    const ConfigNode* node = map.find("material");
+    return material_of(node != nullptr ? node->text() : otherwise,
+                       node != nullptr ? node->place() : map.place());
+  }
+
+  int material_of(const std::string& name, const Place& place) const {
+    std::vector<std::string> names;
+    for (const Material& known : world_.materials) names.push_back(known.name);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i] == name) return static_cast<int>(i);
+    }
+    throw InputError(place, "unknown material '" + name + "'", suggestion(name, names));
+  }
+
+  void read_start() {
+    const ConfigNode* start = file_.find("start");
+    const ConfigNode* plan = file_.find("plan");
+    if (start != nullptr && plan != nullptr) {
+      throw InputError(plan->place(), "a world starts from a builder or from a plan, not from both",
+                       "leave out 'start' or 'plan'");
+    }
+    Settings options = settings_;
+    if (const ConfigNode* node = file_.find("options")) {
+      if (start == nullptr)
+        throw InputError(node->place(), "options are given for no builder", "name it with 'start'");
+      const Settings written = settings_of(*node);
+      options.insert(options.begin(), written.begin(), written.end());
+    }
+    if (start != nullptr) {
+      world_ = build_start(*start, options);
+    } else if (!settings_.empty()) {
+      throw InputError(settings_.front().place,
+                       "option '" + settings_.front().path +
+                           "' is given for a world without a "
+                           "builder",
+                       "leave it out");
+    }
+    world_.name = std::filesystem::path(path_).stem().string();
+    if (plan != nullptr) read_plan(*plan);
+  }
+
+  static World build_start(const ConfigNode& start, const Settings& options) {
+    std::vector<std::string> names;
+    for (const WorldKind& kind : world_kinds()) names.push_back(kind.name);
+    const auto index = static_cast<std::size_t>(start.choice(names));
+    return world_kinds()[index].build(options);
+  }
+
+  void read_plan(const ConfigNode& node) {
+    PlanOptions plan;
+    plan.file = beside(node.at("file").text());
+    plan.height = length(node, "height", plan.height);
+    plan.material = world_.materials[static_cast<std::size_t>(material(node, plan.material))].name;
+    add_plan(world_, plan);
+  }
+
+  std::string beside(const std::string& name) const {
+    return (std::filesystem::path(path_).parent_path() / name).string();
+  }
+
+  void read_materials(const ConfigNode& node) {
+    for (const std::string& name : node.keys()) {
+      const ConfigNode& entry = node.at(name);
+      Material material;
+      if (const ConfigNode* like = entry.find("like")) {
+        material =
+            world_.materials[static_cast<std::size_t>(material_of(like->text(), like->place()))];
+      }
+      material.name = name;
+      read_options(entry, options_of(material));
+      if (const ConfigNode* color = entry.find("color")) {
+        const std::vector<double> rgb = color->numbers(Unit::none, kShare);
+        if (rgb.size() != 3) {
+          throw InputError(color->place(), "a color has three numbers", "write [red, green, blue]");
+        }
+        material.color = {rgb[0], rgb[1], rgb[2]};
+      }
+      world_.materials.push_back(material);
+    }
+  }
+
+  void read_floor(const ConfigNode& node) {
+    const int index = material(node, "concrete");
+    add_floor(world_, point(node.at("from")), point(node.at("to")),
+              world_.materials[static_cast<std::size_t>(index)].name);
+  }
+
+  void read_wall(const ConfigNode& node) {
+    Wall wall;
+    if (const ConfigNode* name = node.find("name")) wall.name = name->text();
+    wall.from = point(node.at("from"));
+    wall.to = point(node.at("to"));
+    wall.thickness = length(node, "thickness", wall.thickness);
+    wall.material = world_.materials[static_cast<std::size_t>(material(node, wall.material))].name;
+    const double reach = (wall.to - wall.from).norm();
+    if (reach <= 0.0) {
+      throw InputError(node.place(), "the wall has no length", "let from and to differ");
+    }
+    double done = 0.0;
+    if (const ConfigNode* openings = node.find("openings")) {
+      for (const ConfigNode& item : openings->items()) {
+        const Opening opening = read_opening(item);
+        if (opening.at - opening.width / 2 < done || opening.at + opening.width / 2 > reach) {
+          throw InputError(item.place(), "the opening reaches beyond the wall or into another one",
+                           "give openings from the wall's start to its end, apart from each other");
+        }
+        done = opening.at + opening.width / 2;
+        wall.openings.push_back(opening);
+      }
+    }
+    add_wall(world_, wall);
+  }
+
+  static Opening read_opening(const ConfigNode& node) {
+    Opening opening;
+    opening.kind = static_cast<OpeningKind>(node.at("kind").choice({"gap", "door", "glass"}));
+    opening.at = node.at("at").number(Unit::meter, kNotNegative);
+    opening.width = length(node, "width", opening.width);
+    const auto flag = [&](const std::string& key, bool& value) {
+      if (const ConfigNode* found = node.find(key)) value = found->flag();
+    };
+    const auto seconds = [&](const std::string& key, double& value) {
+      if (const ConfigNode* found = node.find(key)) {
+        value = found->number(Unit::second, kNotNegative);
+      }
+    };
+    if (opening.kind == OpeningKind::door) {
+      flag("open", opening.door.starts_open);
+      flag("hinge_at_end", opening.door.hinge_at_end);
+      flag("opens_left", opening.door.opens_left);
+      seconds("mean_open", opening.door.mean_open);
+      seconds("mean_shut", opening.door.mean_shut);
+      opening.door.opens_within = length(node, "opens_within", opening.door.opens_within);
+    }
+    return opening;
+  }
+
+  void read_shape(const ConfigNode& node) {
+    Part part;
+    Entity entity{.kind = EntityKind::furniture};
+    double rise = 0.0;  // of the part's origin over the shape's foot
+    if (const ConfigNode* box = node.find("box")) {
+      const Eigen::Vector3d size = coordinates(*box, 3, 3);
+      if (size.minCoeff() <= 0.0)
+        throw InputError(box->place(), "the box has no size", "give three lengths above 0");
+      part.geometry = Box{size};
+      rise = size.z() / 2;
+    } else if (const ConfigNode* round = node.find("cylinder")) {
+      const Cylinder cylinder{length(*round, "radius", 0.5), length(*round, "height", 1.0)};
+      part.geometry = cylinder;
+      rise = cylinder.height / 2;
+    } else if (const ConfigNode* outline = node.find("outline")) {
+      part.geometry = extrusion(*outline, length(node, "height", world_.ceiling));
+    } else if (const ConfigNode* mesh = node.find("mesh")) {
+      part.geometry = load_obj(beside(mesh->text()));
+    } else {
+      throw InputError(node.place(), "the shape has no geometry",
+                       "give box, cylinder, outline or mesh");
+    }
+    if (const ConfigNode* name = node.find("name")) entity.name = name->text();
+    if (entity.name.empty()) entity.name = "shape";
+    part.name = entity.name;
+    part.material = material(node, "wood");
+    part.entity_from_part = upright({}, rise);
+    if (const ConfigNode* kind = node.find("kind")) {
+      entity.kind = kind->choice({"structure", "furniture"}) == 0 ? EntityKind::structure
+                                                                  : EntityKind::furniture;
+    }
+    entity.world_from_entity = pose_of(node);
+    entity.parts.push_back(std::move(part));
+    world_.entities.push_back(std::move(entity));
+  }
+
+  static Extrusion extrusion(const ConfigNode& node, double height) {
+    Extrusion result{points(node, 3), 0.0, height};
+    if (doubled_area(result.outline) < 0.0) {
+      std::reverse(result.outline.begin(), result.outline.end());
+    }
+    if (triangulate(result.outline).size() != result.outline.size() - 2) {
+      throw InputError(node.place(), "the outline crosses itself or covers nothing",
+                       "list its corners in order, once round");
+    }
+    return result;
+  }
+
+  static Pose3 pose_of(const ConfigNode& node) {
+    Pose3 pose;
+    if (const ConfigNode* at = node.find("at")) {
+      const Eigen::VectorXd p = coordinates(*at, 2, 3);
+      pose.position = {p[0], p[1], p.size() == 3 ? p[2] : 0.0};
+    }
+    const auto angle = [&](const std::string& key) {
+      const ConfigNode* found = node.find(key);
+      return found != nullptr ? found->number(Unit::radian) : 0.0;
+    };
+    pose.rotation = rotation_of(angle("heading"), angle("pitch"), angle("roll"));
+    return pose;
+  }
+
+  void read_paths(const ConfigNode& node) {
+    for (const std::string& name : node.keys()) {
+      const ConfigNode& entry = node.at(name);
+      NamedPath path{name, {}, length(entry, "clearance", 0.3)};
+      const ConfigNode* speed = entry.find("speed");
+      const double fast = speed != nullptr ? speed->number(Unit::meter_per_second, kPositive) : 0.0;
+      for (const Eigen::Vector2d& p : points(entry.at("points"), 2)) {
+        path.points.push_back({p, fast});
+      }
+      check_at(entry.place(), [&] { check_path(world_, path); });
+      std::erase_if(world_.paths, [&](const NamedPath& old) { return old.name == name; });
+      world_.paths.push_back(std::move(path));
+    }
+  }
+
+  void read_crowd(const ConfigNode& node) {
+    CrowdRules& crowd = world_.crowd;
+    const auto count = [&](const std::string& key, int& value) {
+      if (const ConfigNode* found = node.find(key)) value = found->whole_number(between(0, 5000));
+    };
+    count("walkers", crowd.walkers);
+    count("standing", crowd.standing);
+    count("blockers", crowd.blockers);
+    if (const ConfigNode* routes = node.find("routes")) {
+      for (const ConfigNode& item : routes->items()) {
+        CrowdRoute route{.name = item.at("name").text(), .points = points(item.at("points"), 2)};
+        if (const ConfigNode* closed = item.find("closed")) route.closed = closed->flag();
+        if (const ConfigNode* weight = item.find("weight")) {
+          route.weight = weight->number(Unit::none, kPositive);
+        }
+        check_at(item.place(), [&] { check_route(world_, route); });
+        crowd.routes.push_back(std::move(route));
+      }
+    }
+    if (const ConfigNode* places = node.find("places")) {
+      for (const ConfigNode& item : places->items()) {
+        StandingPlace place{point(item.at("at")), 0.0, length(item, "radius", 0.5)};
+        if (const ConfigNode* heading = item.find("heading")) {
+          place.heading = heading->number(Unit::radian);
+        }
+        crowd.places.push_back(place);
+      }
+    }
+    if (crowd.walkers > 0 && crowd.routes.empty()) {
+      throw InputError(node.place(), "there are walkers but no routes for them",
+                       "add routes to the crowd");
+    }
+    if (crowd.standing > 0 && crowd.places.empty()) {
+      throw InputError(node.place(), "there are people who stand but no places for them",
+                       "add places to the crowd");
+    }
+  }
+
+  template <class Check>
+  static void check_at(const Place& place, Check check) {
+    try {
+      check();
+    } catch (const InputError& error) {
+      throw InputError(place, error.what());
+    }
+  }
+
+  std::string path_;
+  Settings settings_;
+  ConfigNode file_;
+  World world_;
+};
+
+}  // namespace
+
+World load_world(const std::string& yaml_path, const Settings& settings) {
+  return WorldReader(yaml_path, settings).read();
+}
+
+}  // namespace mapbed
