@@ -1,6 +1,8 @@
 #include "worlds/world_file.h"
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -166,6 +168,19 @@ TEST_F(WorldFile, RefusesDamagedMeshesAndPlansByLine) {
   write("plan.yaml", "image: plan.jpg\nresolution: 0.05\norigin: [0, 0, 0]\n");
   EXPECT_INPUT_ERROR(load("plan: {file: plan.yaml}\n"), "neither .pgm nor .png");
   EXPECT_INPUT_ERROR(load("plan: {file: missing.yaml}\n"), "missing.yaml");
+}
+
+// The example of the README, as it stands there.
+TEST_F(WorldFile, OfTheReadmeIsRight) {
+  std::ifstream readme(MAPBED_SOURCE_DIR "/worlds/README.md");
+  const std::string text{std::istreambuf_iterator<char>(readme), {}};
+  const std::string fence = "```yaml\n";
+  const std::size_t begin = text.find(fence) + fence.size();
+  const std::string example = text.substr(begin, text.find("```", begin) - begin);
+  const World world = load(example);
+  EXPECT_EQ(world.doors.size(), 1u);
+  EXPECT_LT(std::count(example.begin(), example.end(), '\n'), 40);
+  EXPECT_EQ(path_by_name(world, "round").points.size(), 5u);
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ class Curator {
     const Eigen::Vector2d c = field.center();
     const double turn = rng_.index(2) == 0 ? 0.0 : kPi / 2;
     const Pose2 middle{c.x() + rng_.uniform(-0.2, 0.2), c.y() + rng_.uniform(-0.2, 0.2), turn};
-    switch (rng_.index(6)) {
+    switch (rng_.index(7)) {
       case 0:
         showcases(middle);
         break;
@@ -152,17 +152,15 @@ class Curator {
   }
   void thick_columns(const Eigen::AlignedBox2d& field) {
     const double radius = rng_.uniform(0.25, 0.4);
-    const Eigen::Vector2d reach = 0.22 * field.sizes();
-    for (const double x : {-reach.x(), reach.x()}) {
-      for (const double y : {-reach.y(), reach.y()}) {
-        const Eigen::Vector2d at = field.center() + Eigen::Vector2d(x, y);
-        furnisher_.place(column(world_, {at.x(), at.y(), 0.0}, radius, "stone"));
-      }
+    const double apart = rng_.uniform(0.2, 0.28) * field.sizes().x();
+    for (const double x : {-apart, apart}) {
+      const Eigen::Vector2d at = field.center() + Eigen::Vector2d(x, 0.0);
+      furnisher_.place(column(world_, {at.x(), at.y(), 0.0}, radius, "stone"));
     }
   }
   // In pairs 0.25 to 0.45 m apart: to a laser, people who stand still.
   void thin_columns(const Eigen::AlignedBox2d& field) {
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 3; ++i) {
       const Eigen::Vector2d at =
           field.center() + 0.3 * field.sizes().cwiseProduct(Eigen::Vector2d(
                                      rng_.uniform(-1.0, 1.0), rng_.uniform(-1.0, 1.0)));
@@ -241,8 +239,11 @@ World build_museum(const MuseumOptions& options) {
   Curator curator(world, rng);
   for (std::size_t column = 0; column + 1 < kLanesX.size(); ++column) {
     for (std::size_t row = 0; row + 1 < kLanesY.size(); ++row) {
-      if (rng.uniform() >= options.exhibits) continue;
-      curator.fill({hall.crossing(column, row), hall.crossing(column + 1, row + 1)});
+      const Eigen::Vector2d low = hall.crossing(column, row);
+      const Eigen::Vector2d high = hall.crossing(column + 1, row + 1);
+      const double middle = (low.y() + high.y()) / 2;
+      if (rng.uniform() < options.exhibits) curator.fill({low, Eigen::Vector2d(high.x(), middle)});
+      if (rng.uniform() < options.exhibits) curator.fill({Eigen::Vector2d(low.x(), middle), high});
     }
   }
   add_standing_places(world);

@@ -1,0 +1,56 @@
+#include "sim/render/render_world.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+const std::array<Eigen::Vector3d, 4> kPathColors = {
+    Eigen::Vector3d(0.12, 0.47, 0.71), Eigen::Vector3d(1.0, 0.5, 0.05),
+    Eigen::Vector3d(0.17, 0.63, 0.17), Eigen::Vector3d(0.58, 0.4, 0.74)};
+
+PaintedMesh painted(const World& world, const RenderOptions& options, const Guests& guests) {
+  PaintedMesh mesh;
+  const PaintOptions paint_options{.cut_height = options.cut_height};
+  for (const Entity& entity : world.entities) paint(mesh, entity, world.materials, paint_options);
+  for (const Entity& entity : guests.entities) paint(mesh, entity, world.materials);
+  for (const LaserFan& fan : guests.fans) paint(mesh, fan);
+  for (std::size_t i = 0; options.paths && i < world.paths.size(); ++i) {
+    std::vector<Eigen::Vector3d> points;
+    // Each path a hair higher than the one before, so that neither flickers through the other.
+    const double z = 0.01 + 0.004 * static_cast<double>(i);
+    for (const WayPoint& p : world.paths[i].points) {
+      points.emplace_back(p.position.x(), p.position.y(), z);
+    }
+    paint_line(mesh, points, 0.08, kPathColors[i % kPathColors.size()]);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+RgbImage render_world(const World& world, const RenderOptions& options, const Guests& guests) {
+  Painter painter;
+  return render_world(painter, world, options, guests);
+}
+
+RgbImage render_world(Painter& painter, const World& world, const RenderOptions& options,
+                      const Guests& guests) {
+  Eigen::AlignedBox3d box = bounds_of(world);
+  if (box.isEmpty()) throw InputError("world '" + world.name + "' has nothing to draw");
+  if (options.cut_height > 0.0) box.max().z() = std::min(box.max().z(), options.cut_height + 0.5);
+  const double aspect = static_cast<double>(options.width) / options.height;
+  const Camera camera = options.view == View::plan
+                            ? plan_of(box, aspect)
+                            : camera_on(box, options.azimuth, options.elevation, aspect);
+  return painter.draw(painted(world, options, guests), camera,
+                      {.width = options.width,
+                       .height = options.height,
+                       .samples = options.samples,
+                       .shadows = options.shadows});
+}
+
+}  // namespace mapbed
