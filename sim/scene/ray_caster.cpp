@@ -44,9 +44,17 @@ struct Query {
   RTCIntersectContext context;
   const Ray* rays;
 
-  explicit Query(const Ray* first) : rays(first) {
+  explicit Query(std::span<const Ray> packet) : rays(packet.data()) {
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    if (run_alike(packet)) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  }
+
+  // Neighbours in a fan go down the tree together; others are faster each by itself.
+  static bool run_alike(std::span<const Ray> packet) {
+    constexpr double kAlike = 0.9;  // cosine of the angle to the first one
+    return std::all_of(packet.begin(), packet.end(), [&](const Ray& ray) {
+      return ray.direction.dot(packet.front().direction) > kAlike;
+    });
   }
 };
 
@@ -283,7 +291,7 @@ void RayCaster::update() {
 }
 
 Hit RayCaster::cast(const Ray& ray) const {
-  Query query(&ray);
+  Query query(std::span(&ray, 1));
   RTCRayHit rh;
   rh.ray = {static_cast<float>(ray.origin.x()),
             static_cast<float>(ray.origin.y()),
@@ -308,7 +316,7 @@ void RayCaster::cast(std::span<const Ray> rays, std::span<Hit> hits) const {
   CHECK(rays.size() == hits.size());
   for (std::size_t first = 0; first < rays.size(); first += kPacket) {
     const std::size_t count = std::min(kPacket, rays.size() - first);
-    Query query(&rays[first]);
+    Query query(rays.subspan(first, count));
     RTCRayHit16 rh;
     alignas(64) std::array<int, kPacket> valid{};
     for (std::size_t i = 0; i < count; ++i) {
