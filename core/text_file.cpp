@@ -56,6 +56,24 @@ std::string read_text_file(const std::string& path, std::size_t max_bytes) {
   }
 }
 
+void write_text_file(const std::string& path, std::string_view text) {
+  const std::string unfinished = path + ".part";
+  const bool pack = path.ends_with(".gz");
+  gzFile file = gzopen(unfinished.c_str(), pack ? "wb9" : "wbT");  // T: as it is
+  bool written = file != nullptr;
+  while (written && !text.empty()) {
+    const std::size_t chunk = std::min(text.size(), std::size_t{1} << 24);
+    written = gzwrite(file, text.data(), static_cast<unsigned>(chunk)) == static_cast<int>(chunk);
+    text.remove_prefix(chunk);
+  }
+  if (file != nullptr) written = gzclose_w(file) == Z_OK && written;
+  std::error_code error;
+  if (written) std::filesystem::rename(unfinished, path, error);
+  if (written && !error) return;
+  std::filesystem::remove(unfinished, error);
+  throw InputError({path}, "cannot be written", "check that its folder is there and has room");
+}
+
 std::string_view next_line(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string_view line = text.substr(0, end);

@@ -11,6 +11,10 @@ namespace mapbed {
 // data are damaged or cut short, or the content is longer than `max_bytes`.
 std::string read_text_file(const std::string& path, std::size_t max_bytes = std::size_t{1} << 30);
 
+// Writes a file, gzipped where its name ends in .gz. It gets its name only when it is complete, so
+// what stood there before stays where writing fails. Throws InputError where it cannot be written.
+void write_text_file(const std::string& path, std::string_view text);
+
 // Cuts the first line off `text` and returns it without its line end ("\n" or "\r\n").
 std::string_view next_line(std::string_view& text);
 

@@ -19,6 +19,12 @@ Pose2 read_pose(Fields& fields) {
   return {x, y, fields.number()};
 }
 
+// The place of a laser from two printed poses is good to their digits; more of them are noise.
+Pose2 to_micrometers(const Pose2& pose) {
+  const auto rounded = [](double v) { return std::round(v * 1e6) / 1e6 + 0.0; };
+  return {rounded(pose.x), rounded(pose.y), normalized_angle(rounded(pose.theta))};
+}
+
 class CarmenReader : public LogReader {
  public:
   CarmenReader(const std::string& name, const LogOptions& options) : builder_(name, options) {}
@@ -34,6 +40,8 @@ class CarmenReader : public LogReader {
     if (kind == "ODOM") return read_odometry(fields);
     if (kind.starts_with("ROBOTLASER") && kind.size() == 11 && kind[10] >= '1' && kind[10] <= '9')
       return read_robot_laser(fields, kind[10] - '1');
+    if (kind.starts_with("RAWLASER") && kind.size() == 9 && kind[8] >= '1' && kind[8] <= '9')
+      return read_raw_laser(fields, kind[8] - '1');
     if (kind == "TRUEPOS") return read_true_pose(fields);
     if (kind == "PARAM") return read_parameter(fields);
     skip(kind);
@@ -70,17 +78,43 @@ class CarmenReader : public LogReader {
   void read_laser(Fields& fields, int laser) {
     LaserScan scan;
     scan.laser = laser;
+    scan.robot_from_laser = kMountToBeTold;
     scan.ranges = fields.counted_numbers();
     read_pose(fields);
     const Pose2 odometry = read_pose(fields);
     scan.time = read_stamp(fields);
     if (!complete(fields, laser == 0 ? "FLASER" : "RLASER")) return;
-    last_stamp_ = scan.time;
-    builder_.add(Odometry{scan.time, odometry}, line_);
-    builder_.add(std::move(scan), line_);
+    add(Odometry{scan.time, odometry}, std::move(scan));
   }
 
   void read_robot_laser(Fields& fields, int laser) {
+    LaserScan scan = read_scan(fields, laser);
+    const Pose2 odometry_from_laser = read_pose(fields);
+    Odometry odometry;
+    odometry.odometry_from_robot = read_pose(fields);
+    odometry.forward_velocity = fields.number();
+    odometry.turn_velocity = fields.number();
+    for (int i = 0; i < 3; ++i) fields.number();  // safety distances, turn axis
+    odometry.time = scan.time = read_stamp(fields);
+    if (!complete(fields, "ROBOTLASER") || !sensible(scan)) return;
+    scan.robot_from_laser =
+        to_micrometers(inverse(odometry.odometry_from_robot) * odometry_from_laser);
+    add(odometry, std::move(scan));
+  }
+
+  // The same without a pose. The logger writes both where it is told so: then these are left.
+  void read_raw_laser(Fields& fields, int laser) {
+    LaserScan scan = read_scan(fields, laser);
+    scan.robot_from_laser = kMountToBeTold;
+    scan.time = read_stamp(fields);
+    if (has_robot_scans_) return skip("RAWLASER");
+    if (!complete(fields, "RAWLASER") || !sensible(scan)) return;
+    has_raw_scans_ = true;
+    last_stamp_ = scan.time;
+    builder_.add(std::move(scan), line_);
+  }
+
+  LaserScan read_scan(Fields& fields, int laser) {
     LaserScan scan;
     scan.laser = laser;
     fields.number();  // type
@@ -92,22 +126,25 @@ class CarmenReader : public LogReader {
     fields.number();  // remission mode
     scan.ranges = fields.counted_numbers();
     scan.remissions = fields.counted_numbers();
-    const Pose2 odometry_from_laser = read_pose(fields);
-    Odometry odometry;
-    odometry.odometry_from_robot = read_pose(fields);
-    odometry.forward_velocity = fields.number();
-    odometry.turn_velocity = fields.number();
-    for (int i = 0; i < 3; ++i) fields.number();  // safety distances, turn axis
-    odometry.time = scan.time = read_stamp(fields);
-    if (!complete(fields, "ROBOTLASER")) return;
-    if (!std::isfinite(scan.first_bearing) || !(std::abs(scan.bearing_step) <= 2.0 * kPi) ||
-        !(scan.max_range >= 0.0 && scan.max_range <= 1e6) || !is_finite(odometry_from_laser)) {
-      builder_.broken(line_, "ROBOTLASER line without a sensible scan geometry: left out");
-      return;
-    }
     if (scan.bearing_step == 0.0 && scan.ranges.size() > 1)
       scan.bearing_step = field_of_view / static_cast<double>(scan.ranges.size() - 1);
-    scan.robot_from_laser = inverse(odometry.odometry_from_robot) * odometry_from_laser;
+    return scan;
+  }
+
+  bool sensible(const LaserScan& scan) {
+    if (std::abs(scan.first_bearing) <= 2.0 * kPi && std::abs(scan.bearing_step) <= 2.0 * kPi &&
+        scan.max_range >= 0.0 && scan.max_range <= 1e6)
+      return true;
+    builder_.broken(line_, "laser line without a sensible scan geometry: left out");
+    return false;
+  }
+
+  void add(const Odometry& odometry, LaserScan scan) {
+    if (has_raw_scans_ && !has_robot_scans_) {
+      builder_.warn(line_, "RAWLASER messages are not used where others have the pose, too");
+      builder_.forget_scans();
+    }
+    has_robot_scans_ = true;
     last_stamp_ = scan.time;
     builder_.add(odometry, line_);
     builder_.add(std::move(scan), line_);
@@ -152,6 +189,8 @@ class CarmenReader : public LogReader {
   LogBuilder builder_;
   long line_ = 0;
   double last_stamp_ = 0.0;  // [s]
+  bool has_raw_scans_ = false;
+  bool has_robot_scans_ = false;
   std::set<std::string> known_kinds_;
 };
 

@@ -12,6 +12,7 @@
 //     laser_theta robot_x robot_y robot_theta tv rv forward_safety side_safety turn_axis
 //     ipc_stamp host logger_stamp                                               ROBOTLASER2
 //     likewise
+//   RAWLASER1 type … remission… ipc_stamp host logger_stamp     used where no other laser line is
 //   ODOM x y theta tv rv acceleration ipc_stamp host logger_stamp
 //   TRUEPOS true_x true_y true_theta odom_x odom_y odom_theta ipc_stamp host logger_stamp
 //   PARAM name value…
@@ -24,5 +25,19 @@
 namespace mapbed {
 
 std::unique_ptr<LogReader> make_carmen_reader(const std::string& name, const LogOptions& options);
+
+// The same as text: ROBOTLASER lines, which keep geometry, velocities and remissions; RAWLASER
+// lines for a log without odometry. A scan without odometry of its own stamp repeats the last one.
+// Numbers have as many digits as it takes to read the same values back.
+std::string carmen_text(const RecordedLog& log);
+
+// What programs of before 2008 read: FLASER and RLASER lines, the lasers' geometry in PARAM lines.
+// Throws InputError where a laser's geometry changes or does not lie symmetrically.
+std::string old_carmen_text(const RecordedLog& log);
+
+// Writes such a text, gzipped if the path ends in .gz.
+enum class CarmenDialect { flaser, robotlaser };
+void write_carmen_log(const std::string& path, const RecordedLog& log,
+                      CarmenDialect dialect = CarmenDialect::robotlaser);
 
 }  // namespace mapbed

@@ -46,10 +46,9 @@ double usual_step(std::size_t beams) {
   }
 }
 
-// The field of view of n beams ends where one more beam would stand if n is even (180 of 181).
+// An even number of beams is one cut off an odd one: 180 of 181.
 double usual_first(std::size_t beams, double step) {
-  const bool cut = beams == 180 || beams == 360 || beams == 540 || beams == 720;
-  return -0.5 * step * static_cast<double>(cut ? beams : beams - 1);
+  return -0.5 * step * static_cast<double>(beams % 2 == 0 ? beams : beams - 1);
 }
 
 // A pile of equal readings at the upper end of the scale.
@@ -83,18 +82,14 @@ std::optional<Bearings> bearings_of(std::size_t beams, int laser, const Recorded
   const double gaps = static_cast<double>(beams - 1);
   const std::string prefix = std::string("laser_") + side(laser) + "_laser_";
   double step = radians(usual_step(beams));
+  if (const auto stated = parameter(log, prefix + "resolution");
+      stated && *stated > 0.0 && *stated * gaps <= 360.0)
+    step = radians(*stated);
   double first = usual_first(beams, step);
-  if (const auto resolution = parameter(log, prefix + "resolution");
-      resolution && *resolution > 0.0 && step == 0.0) {
-    step = radians(*resolution);
-    first = -0.5 * step * gaps;
-  }
-  if (const auto fov = parameter(log, prefix + "fov"); fov && *fov > 0.0 && *fov <= 360.0) {
-    // Stated as 180 for 180 beams of 1 deg and for 181 alike: the step decides which it is.
-    const double stated = radians(*fov);
-    const bool closed = step == 0.0 || std::abs(step * gaps - stated) < 0.5 * step;
-    if (closed || std::abs(step * (gaps + 1.0) - stated) > 0.5 * step) step = stated / gaps;
-    first = -0.5 * stated;
+  if (const auto stated = parameter(log, prefix + "fov");
+      stated && *stated > 0.0 && *stated <= 360.0) {
+    if (step == 0.0) step = radians(*stated) / gaps;
+    first = -0.5 * radians(*stated);
   }
   if (options.bearing_step != 0.0) {
     step = options.bearing_step;
@@ -133,7 +128,7 @@ double max_range_of(const std::vector<const LaserScan*>& scans, double stated) {
 
   for (const double code : {81.83, 8.183, 32.759}) {
     const double last = code + (code > 80.0 ? 0.08 : 0.008);
-    if (top >= code - 1e-6 && top <= last + 1e-6)
+    if (top >= code - 1e-5 && top <= last + 1e-5)
       return stated > 0.0 ? std::min(code, stated) : code;
   }
 

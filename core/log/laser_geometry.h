@@ -9,13 +9,13 @@
 
 namespace mapbed {
 
-// The bearings of a scan. The options win, then PARAM laser_front_laser_fov and
-// laser_front_laser_resolution ([deg]; rear likewise), then the number of beams as the lasers of
-// CARMEN logs have it, counter-clockwise from -fov/2:
+// The bearings of a scan. The options win, then PARAM laser_front_laser_resolution and
+// laser_front_laser_fov ([deg]; rear likewise), then the number of beams as the lasers of CARMEN
+// logs have it, counter-clockwise:
 //
-//   180, 181     1    deg from -90 deg      540, 541    0.5  deg from -135 deg
-//   360, 361     0.5  deg from -90 deg      401         0.25 deg from -50 deg
-//   720, 721     0.25 deg from -90 deg      1081        0.25 deg from -135 deg
+//   180, 181    1    deg from  -90 deg        401           0.25 deg from  -50 deg
+//   360, 361    0.5  deg from  -90 deg        720, 721      0.25 deg from  -90 deg
+//   540, 541    0.5  deg from -135 deg        1080, 1081    0.25 deg from -135 deg
 //
 // With 180 beams the last one is thus at +89 deg: CARMEN cuts the 181st beam of the scanner off.
 struct Bearings {

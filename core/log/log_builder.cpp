@@ -174,6 +174,13 @@ void LogBuilder::add(LaserScan scan, long line) {
   log_.measurements.emplace_back(std::move(scan));
 }
 
+void LogBuilder::forget_scans() {
+  std::erase_if(log_.measurements,
+                [](const Measurement& m) { return std::holds_alternative<LaserScan>(m); });
+  last_scan_of_laser_.clear();
+  scans_ = 0;
+}
+
 void LogBuilder::add_true_pose(const StampedPose& pose, long line) {
   if (!std::isfinite(pose.time) || !is_finite(pose.pose)) {
     broken(line, "true pose that is no pose: left out");
@@ -196,11 +203,11 @@ void LogBuilder::complete_geometry() {
   std::erase_if(log_.measurements, [&](Measurement& measurement) {
     auto* scan = std::get_if<LaserScan>(&measurement);
     if (scan == nullptr) return false;
-    const bool detect = scan->bearing_step == 0.0;
-    if (detect ||
-        !(scan->laser == 1 ? options_.robot_from_rear_laser : options_.robot_from_laser).empty())
+    const auto& mount =
+        scan->laser == 1 ? options_.robot_from_rear_laser : options_.robot_from_laser;
+    if (std::isnan(scan->robot_from_laser.x) || (scan->laser <= 1 && !mount.empty()))
       scan->robot_from_laser = mount_of(scan->laser, log_, options_);
-    if (!detect && !given) return false;
+    if (scan->bearing_step != 0.0 && !given) return false;
     const auto bearings = bearings_of(scan->ranges.size(), scan->laser, log_, options_);
     if (!bearings) {
       ++unknown[scan->ranges.size()];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,8 +13,11 @@ namespace mapbed {
 // Collects what a dialect's reader finds line by line, watches the stamps and ranges, and completes
 // the scans at the end: geometry that the lines did not have, maximum range, order of time.
 //
-// A scan with bearing_step 0 gets its bearings and its place on the robot from the number of its
-// beams, the parameters and the options; see laser_geometry.h.
+// A scan with bearing_step 0 gets its bearings, one whose robot_from_laser is kMountToBeTold its
+// place on the robot from the number of its beams, the parameters and the options; see
+// laser_geometry.h.
+inline constexpr Pose2 kMountToBeTold{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0};
+
 class LogBuilder {
  public:
   LogBuilder(std::string name, const LogOptions& options);
@@ -26,6 +30,7 @@ class LogBuilder {
   void set_parameter(std::string name, std::string value);
   void broken(long line, const std::string& reason);  // a message was left out
   void warn(long line, const std::string& reason);    // a message was read, with a remark
+  void forget_scans();                                // all so far
   long scans() const { return scans_; }
 
   RecordedLog finish(const std::string& format);  // throws InputError

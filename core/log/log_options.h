@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "core/config/option.h"
@@ -19,45 +20,48 @@ struct WheelGeometry {
 
 template <class Visitor>
 void visit_fields(WheelGeometry& o, Visitor&& visit) {
-  visit("wheel_radius", o.wheel_radius, Unit::meter, "radius of a wheel");
-  visit("half_track", o.half_track, Unit::meter, "from the robot's centre to either wheel");
-  visit("ticks_per_turn", o.ticks_per_turn, "encoder ticks in one turn of a wheel");
-  visit("left_right_ratio", o.left_right_ratio, "right wheel's radius over the left one's");
+  visit("wheel_radius", o.wheel_radius, Unit::meter, kPositive, "radius of a wheel");
+  visit("half_track", o.half_track, Unit::meter, kPositive,
+        "from the robot's centre to either wheel");
+  visit("ticks_per_turn", o.ticks_per_turn, kPositive, "encoder ticks in one turn of a wheel");
+  visit("left_right_ratio", o.left_right_ratio, kPositive,
+        "right wheel's radius over the left one's");
 }
 
 // What a log does not say about its sensors, or says wrongly. 0 and empty lists mean: as detected.
 struct LogOptions {
   double field_of_view = 0.0;                 // [rad] the beams lie symmetrically about the front
-  std::vector<double> first_bearing;          // [rad] none, or one
+  std::vector<double> first_bearing = {};     // [rad] none, or one
   double bearing_step = 0.0;                  // [rad]
   double max_range = 0.0;                     // [m] readings from here on mean: nothing was hit
-  std::vector<double> robot_from_laser;       // none, or x [m], y [m], theta [rad]
-  std::vector<double> robot_from_rear_laser;  // none, or x [m], y [m], theta [rad]
-  Stamp stamp = Stamp::ipc;                   // of the two stamps that a CARMEN line has
-  double reorder_within = 1.0;                // [s] a stamp may be older than one before by this
-  double scan_period = 0.1;                   // [s] between scans of logs that have no stamps
-  double max_text = 1e9;                      // [bytes] of text, after unpacking
-  WheelGeometry wheels;                       // for logs of encoder ticks
+  std::vector<double> robot_from_laser = {};  // none, or x [m], y [m], theta [rad]
+  std::vector<double> robot_from_rear_laser = {};  // none, or x [m], y [m], theta [rad]
+  Stamp stamp = Stamp::ipc;                        // of the two stamps that a CARMEN line has
+  double reorder_within = 1.0;  // [s] a stamp may be older than one before by this
+  double scan_period = 0.1;     // [s] between scans of logs that have no stamps
+  double max_text = 1e9;        // [bytes] of text, after unpacking
+  WheelGeometry wheels = {};    // for logs of encoder ticks
 };
 
 template <class Visitor>
 void visit_fields(LogOptions& o, Visitor&& visit) {
-  visit("field_of_view", o.field_of_view, Unit::radian,
+  visit("field_of_view", o.field_of_view, Unit::radian, between(0.0, 2.0 * std::numbers::pi),
         "angle that the beams cover, symmetric about the front; 0: as detected");
   visit("first_bearing", o.first_bearing, Unit::radian,
         "one number: bearing of the first beam; none: as detected");
   visit("bearing_step", o.bearing_step, Unit::radian, "from beam to beam; 0: as detected");
-  visit("max_range", o.max_range, Unit::meter,
+  visit("max_range", o.max_range, Unit::meter, kNotNegative,
         "readings from here on mean that nothing was hit; 0: as detected");
   visit("robot_from_laser", o.robot_from_laser,
         "x [m], y [m], theta [rad] of the front laser on the robot; none: as detected");
   visit("robot_from_rear_laser", o.robot_from_rear_laser,
         "x [m], y [m], theta [rad] of the rear laser on the robot; none: as detected");
   visit("stamp", o.stamp, {"ipc", "logger"}, "which of a CARMEN line's two stamps is its time");
-  visit("reorder_within", o.reorder_within, Unit::second,
+  visit("reorder_within", o.reorder_within, Unit::second, kNotNegative,
         "measurements late by up to this are put in order; later ones are an error");
-  visit("scan_period", o.scan_period, Unit::second, "between scans of logs that have no stamps");
-  visit("max_text", o.max_text, "largest text, in bytes after unpacking, that is read");
+  visit("scan_period", o.scan_period, Unit::second, kPositive,
+        "between scans of logs that have no stamps");
+  visit("max_text", o.max_text, kPositive, "largest text, in bytes after unpacking, that is read");
   visit("wheels", o.wheels, "the robot's wheels, for logs of encoder ticks");
 }
 

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <memory>
 
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <zlib.h>
 
@@ -57,7 +58,7 @@ void for_each_text_block(const std::string& path, double max_text,
     if (got < 0 || code == Z_BUF_ERROR) unpacking_failed(path, file.get());
     total += got;
     if (total > max_text)
-      throw InputError({path}, "unpacks to more than " + std::to_string(max_text / 1e6) + " MB",
+      throw InputError({path}, fmt::format("unpacks to more than {} MB", max_text / 1e6),
                        "set max_text if the file is to be trusted");
     const std::string_view text(buffer.data(), filled + static_cast<std::size_t>(got));
     if (got == 0) {

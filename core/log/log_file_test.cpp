@@ -1,0 +1,268 @@
+#include "core/log/log_file.h"
+
+#include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/config/settings.h"
+#include "core/geometry/angle.h"
+#include "core/testing/is_near.h"
+#include "core/text_file.h"
+
+namespace mapbed {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string flaser(int beams, double range, double time) {
+  std::string line = fmt::format("FLASER {}", beams);
+  for (int i = 0; i < beams; ++i) line += fmt::format(" {}", range);
+  return line + fmt::format(" 0 0 0 0 0 0 {} host 0\n", time);
+}
+
+std::string good_lines(int count, double first_time = 10.0) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += flaser(181, 3.25, first_time + i);
+  return text;
+}
+
+std::vector<LaserScan> scans_of(const RecordedLog& log) {
+  std::vector<LaserScan> scans;
+  for (const Measurement& m : log.measurements)
+    if (const auto* scan = std::get_if<LaserScan>(&m)) scans.push_back(*scan);
+  return scans;
+}
+
+std::string message_of(const std::string& text, const LogOptions& options = {}) {
+  try {
+    parse_log("a.log", text, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string warnings_of(const RecordedLog& log) {
+  std::string all;
+  for (const LogWarning& warning : log.warnings) all += to_string(warning) + '\n';
+  return all;
+}
+
+std::string warnings_of(const std::string& text) {
+  return warnings_of(parse_log("a.log", text));
+}
+
+// Order and faults.
+
+TEST(BadLog, ATruncatedLineIsLeftOutAndNamed) {
+  std::string text = good_lines(12);
+  text.resize(text.size() - 200);
+  const RecordedLog log = parse_log("a.log", text);
+  EXPECT_EQ(scans_of(log).size(), 11u);
+  EXPECT_EQ(warnings_of(log), "a.log:12: truncated or garbled FLASER line: left out\n");
+}
+
+TEST(BadLog, OneOfManyBrokenLinesInTheMiddleIsLeftOut) {
+  EXPECT_EQ(warnings_of(good_lines(12) + "FLASER 3 1 x 3 0 0 0 0 0 0 22 h 0\n" + good_lines(9, 30)),
+            "a.log:13: truncated or garbled FLASER line: left out\n");
+  EXPECT_EQ(warnings_of(good_lines(12) + "ODOM 1 2\n" + good_lines(9, 30)),
+            "a.log:13: truncated or garbled ODOM line: left out\n");
+  EXPECT_EQ(warnings_of(good_lines(12) + "\x01\x02 1 2\n" + good_lines(9, 30)),
+            "a.log:13: line that is no CARMEN message: left out\n");
+}
+
+TEST(BadLog, ALogOfManyBrokenLinesIsRefused) {
+  EXPECT_EQ(message_of(good_lines(3) + "FLASER 9 1\nFLASER 9 1\n"),
+            "a.log:4: truncated or garbled FLASER line: left out (2 of 8 messages are broken); the "
+            "file is damaged or not of this format; fetch it again");
+}
+
+TEST(BadLog, AnEmptyLogIsRefused) {
+  EXPECT_EQ(message_of(""), "a.log: is empty; a log has lines such as FLASER or ROBOTLASER1");
+  EXPECT_EQ(message_of("# only\n\n"),
+            "a.log: is empty; a log has lines such as FLASER or ROBOTLASER1");
+}
+
+TEST(BadLog, ALogWithoutScansIsRefused) {
+  EXPECT_EQ(message_of("ODOM 1 2 3 0 0 0 10 host 0\n"),
+            "a.log: holds no laser scan; a map needs lines such as FLASER or ROBOTLASER1");
+}
+
+TEST(BadLog, AbsurdRangesAreIgnoredBeamByBeam) {
+  const std::string line = "FLASER 6 -1 nan 1e9 2 inf 0 0 0 0 0 0 0 10 host 0\n";
+  const RecordedLog log = parse_log("a.log", line, {.field_of_view = kPi});
+  EXPECT_EQ(scans_of(log)[0].ranges, (std::vector<double>{0, 0, 0, 2, 8, 0}));
+  EXPECT_EQ(
+      warnings_of(log),
+      "a.log:1: absurd range (negative, not a number or above 1 km): beam ignored (3 times)\n");
+}
+
+TEST(BadLog, RepeatedStampsAreNamed) {
+  EXPECT_EQ(warnings_of(good_lines(2) + flaser(181, 3, 11.0)),
+            "a.log:3: same time stamp as the scan before\n");
+}
+
+TEST(BadLog, StampsThatAreLittleTooOldArePutInOrder) {
+  const RecordedLog log = parse_log("a.log", good_lines(3) + flaser(181, 1.5, 11.5));
+  EXPECT_EQ(scans_of(log)[2].ranges[0], 1.5);
+  EXPECT_EQ(warnings_of(log),
+            "a.log:4: time stamp older than one before it: put in order (2 times)\n");
+}
+
+TEST(BadLog, OneStampFarTooOldIsADamagedOne) {
+  const RecordedLog log =
+      parse_log("a.log", good_lines(3) + flaser(181, 1.5, 3.0) + good_lines(3, 20));
+  EXPECT_EQ(scans_of(log).size(), 6u);
+  EXPECT_EQ(warnings_of(log),
+            "a.log:4: time stamp far older than those around it: message left out\n");
+}
+
+TEST(BadLog, AClockThatWasSetBackIsRefused) {
+  EXPECT_EQ(message_of(good_lines(3, 100) + good_lines(2, 50)),
+            "a.log:4: the time goes back by 51.000 s, from 102.000000 to 51.000000; cut the log "
+            "there, use the other stamp (stamp) or raise reorder_within");
+}
+
+TEST(BadLog, AStampThatIsNoTimeIsLeftOut) {
+  EXPECT_THAT(warnings_of(good_lines(20) + flaser(181, 3, NAN)),
+              StartsWith("a.log:21: time stamp that is no time: line left out"));
+}
+
+TEST(BadLog, LostStampsAreMadeUp) {
+  std::string text;
+  for (int i = 0; i < 3; ++i) text += flaser(181, 3.0, 1.04e9);
+  const RecordedLog log = parse_log("a.log", text);
+  EXPECT_FALSE(log.has_stamps);
+  EXPECT_NEAR(scans_of(log)[2].time, 0.2, 1e-12);
+  EXPECT_THAT(warnings_of(log),
+              HasSubstr("all scans have the same time stamp: taken as 0.1 s apart"));
+}
+
+TEST(BadLog, AChangingNumberOfBeamsIsNamed) {
+  const RecordedLog log = parse_log("a.log", good_lines(3) + flaser(361, 3.0, 20));
+  EXPECT_EQ(scans_of(log)[3].bearing_step, radians(0.5));
+  EXPECT_EQ(warnings_of(log), "a.log:4: number of beams differs from the scan before\n");
+}
+
+TEST(BadLog, AFewScansOfAnUnknownLaserAreLeftOut) {
+  const RecordedLog log = parse_log("a.log", good_lines(3) + flaser(97, 3.0, 20));
+  EXPECT_EQ(scans_of(log).size(), 3u);
+  EXPECT_THAT(warnings_of(log),
+              HasSubstr("a.log:4: the field of view of 97 beams is not known: scan left out"));
+}
+
+TEST(BadLog, AnUnknownLaserNeedsItsFieldOfView) {
+  const std::string text = flaser(97, 3.0, 20);
+  EXPECT_EQ(message_of(text),
+            "a.log:1: the field of view of 97 beams is not known; set field_of_view, or "
+            "bearing_step");
+  const auto scans = scans_of(parse_log("a.log", text, {.field_of_view = radians(96)}));
+  EXPECT_NEAR(scans[0].first_bearing, radians(-48), 1e-12);
+  EXPECT_NEAR(scans[0].bearing_step, radians(1), 1e-12);
+}
+
+TEST(BadLog, BagsAreRefusedWithTheWayOut) {
+  const std::string remedy =
+      "write its scans and odometry out as a CARMEN log (FLASER or ROBOTLASER1 lines) or as `t n "
+      "ranges` lines, for example with the Python package rosbags";
+  EXPECT_EQ(message_of("#ROSBAG V2.0\n\x01"),
+            "a.log: is a ROS 1 bag, which is not read here; " + remedy);
+  EXPECT_EQ(message_of(std::string("SQLite format 3\0abc", 19)),
+            "a.log: is a ROS 2 bag, which is not read here; " + remedy);
+  EXPECT_EQ(message_of("\x89MCAP0\r\n"),
+            "a.log: is a ROS 2 bag, which is not read here; " + remedy);
+}
+
+TEST(BadLog, WhatIsNoLogIsRefused) {
+  EXPECT_EQ(message_of(std::string("FLASER\0", 7)),
+            "a.log: is no text; logs are read as plain text or gzipped text");
+  EXPECT_EQ(
+      message_of("{\"a\": 1}\n"),
+      "a.log: is in no log format that is known here; known are CARMEN, CoreSLAM, DP-SLAM and `t "
+      "n ranges` with a header line");
+  EXPECT_THAT(message_of("1 2 3\n"), HasSubstr("is in no log format that is known here"));
+}
+
+TEST(BadLog, OptionsThatMakeNoSenseAreRefused) {
+  EXPECT_EQ(message_of(good_lines(1), {.first_bearing = {1, 2}}),
+            "log option first_bearing takes one number or none");
+  EXPECT_EQ(message_of(good_lines(1), {.robot_from_laser = {1}}),
+            "log option robot_from_laser takes three numbers, x, y, theta, or none");
+  EXPECT_EQ(message_of(good_lines(1), {.scan_period = 0.0}),
+            "log option scan_period must be positive");
+}
+
+TEST(LogOptions, AreSetByName) {
+  LogOptions options;
+  apply({parse_setting("field_of_view=270 deg"), parse_setting("stamp=logger"),
+         parse_setting("robot_from_laser=[0.78, 0, 0]"), parse_setting("wheels.half_track=20 cm")},
+        options_of(options), "log");
+  EXPECT_NEAR(options.field_of_view, 1.5 * kPi, 1e-12);
+  EXPECT_EQ(options.stamp, Stamp::logger);
+  EXPECT_EQ(options.robot_from_laser, (std::vector<double>{0.78, 0, 0}));
+  EXPECT_EQ(options.wheels.half_track, 0.2);
+}
+
+// Files.
+
+class LogFile : public ::testing::Test {
+ protected:
+  std::string written(const std::string& name, const std::string& text) const {
+    const std::string path = ::testing::TempDir() + "log_file_" + name;
+    write_text_file(path, text);
+    return path;
+  }
+  static std::string message_of(const std::string& path, const LogOptions& options = {}) {
+    try {
+      load_log(path, options);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_F(LogFile, PlainAndPackedReadAlikeAcrossBlocks) {
+  const std::string text = good_lines(3000);  // more than two blocks of 1 MiB
+  ASSERT_GT(text.size(), 2'200'000u);
+  const RecordedLog plain = load_log(written("plain.log", text));
+  const RecordedLog packed = load_log(written("packed.log.gz", text));
+  EXPECT_EQ(scans_of(plain).size(), 3000u);
+  EXPECT_EQ(scans_of(packed).size(), 3000u);
+  EXPECT_EQ(scans_of(plain).back().time, 3009.0);
+  EXPECT_TRUE(plain.warnings.empty());
+}
+
+TEST_F(LogFile, AMissingFileOrAFolderIsRefused) {
+  EXPECT_EQ(message_of("nowhere.log"),
+            "nowhere.log: No such file or directory; check the file's name");
+  EXPECT_THAT(message_of(::testing::TempDir()), HasSubstr("is a folder; name a file in it"));
+}
+
+TEST_F(LogFile, GzipThatIsCutShortIsRefused) {
+  std::string packed;
+  {
+    std::ifstream in(written("whole.log.gz", good_lines(300)), std::ios::binary);
+    packed.assign(std::istreambuf_iterator<char>(in), {});
+  }
+  const std::string path = written("cut.log", packed.substr(0, packed.size() / 2));
+  EXPECT_THAT(message_of(path), HasSubstr("the gzip file is cut short; fetch or copy it again"));
+}
+
+TEST_F(LogFile, GzipThatUnpacksToTooMuchIsRefused) {
+  const std::string path = written("bomb.log.gz", good_lines(300));
+  EXPECT_THAT(message_of(path, {.max_text = 1e5}),
+              HasSubstr("unpacks to more than 0.1 MB; set max_text if the file is to be trusted"));
+}
+
+TEST_F(LogFile, AnEndlessLineIsRefused) {
+  const std::string path = written("line.log.gz", std::string(20u << 20, '1'));
+  EXPECT_THAT(message_of(path), HasSubstr("has a line of more than 16 MiB; this is no text log"));
+}
+
+}  // namespace
+}  // namespace mapbed
