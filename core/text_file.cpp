@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <climits>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -9,6 +10,8 @@
 
 #include <zlib.h>
 
+#include "core/atomic_file.h"
+#include "core/check.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -26,6 +29,24 @@ void refuse_what_is_no_file(const std::string& path) {
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw InputError({path}, "no such file");
   if (std::filesystem::is_directory(status)) throw InputError({path}, "is a folder, not a file");
+}
+
+// As gzip: 15 is the longest window, 16 more ask for gzip's header, without name and time of the
+// file.
+std::string packed(std::string_view text) {
+  z_stream stream{};
+  CHECK(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) ==
+        Z_OK);
+  CHECK(text.size() < UINT_MAX);
+  std::string result(deflateBound(&stream, text.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = static_cast<uInt>(result.size());
+  CHECK(deflate(&stream, Z_FINISH) == Z_STREAM_END);
+  result.resize(stream.total_out);
+  deflateEnd(&stream);
+  return result;
 }
 
 }  // namespace
@@ -57,21 +78,7 @@ std::string read_text_file(const std::string& path, std::size_t max_bytes) {
 }
 
 void write_text_file(const std::string& path, std::string_view text) {
-  const std::string unfinished = path + ".part";
-  const bool pack = path.ends_with(".gz");
-  gzFile file = gzopen(unfinished.c_str(), pack ? "wb9" : "wbT");  // T: as it is
-  bool written = file != nullptr;
-  while (written && !text.empty()) {
-    const std::size_t chunk = std::min(text.size(), std::size_t{1} << 24);
-    written = gzwrite(file, text.data(), static_cast<unsigned>(chunk)) == static_cast<int>(chunk);
-    text.remove_prefix(chunk);
-  }
-  if (file != nullptr) written = gzclose_w(file) == Z_OK && written;
-  std::error_code error;
-  if (written) std::filesystem::rename(unfinished, path, error);
-  if (written && !error) return;
-  std::filesystem::remove(unfinished, error);
-  throw InputError({path}, "cannot be written", "check that its folder is there and has room");
+  write_file(path, path.ends_with(".gz") ? packed(text) : std::string(text));
 }
 
 std::string_view next_line(std::string_view& text) {

@@ -1,0 +1,26 @@
+#include "core/testing/example_log.h"
+
+#include <gtest/gtest.h>
+
+#include "core/log/carmen_log.h"
+#include "core/text_file.h"
+
+namespace mapbed {
+namespace {
+
+const std::string kShipped = MAPBED_SOURCE_DIR "/scenarios/logs/example.log.gz";
+
+TEST(ExampleLog, IsWhatItsGeneratorMakes) {
+  // If this fails after a deliberate change: make_example_log scenarios/logs/example.log.gz
+  EXPECT_TRUE(read_text_file(kShipped) == carmen_text(example_log()));
+}
+
+TEST(ExampleLog, HoldsAFewHundredScansWithTruth) {
+  const RecordedLog log = load_log(kShipped);
+  EXPECT_GT(log.true_poses.size(), 300u);
+  EXPECT_EQ(log.measurements.size(), 2 * log.true_poses.size());
+  EXPECT_TRUE(log.warnings.empty());
+}
+
+}  // namespace
+}  // namespace mapbed
