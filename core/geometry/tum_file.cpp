@@ -1,5 +1,6 @@
 #include "core/geometry/tum_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -51,16 +52,12 @@ Trajectory parse_trajectory(const std::string& name, std::string_view text) {
     const std::string_view line = next_line(text);
     const std::size_t begin = line.find_first_not_of(" \t");
     if (begin == std::string_view::npos || line[begin] == '#') continue;
-    const StampedPose pose = pose_of(numbers_of(line, place), place);
-    if (!trajectory.empty() && pose.time < trajectory.back().time)
-      throw InputError(place,
-                       fmt::format("the time goes back from {:.6f} to {:.6f}",
-                                   trajectory.back().time, pose.time),
-                       "sort the lines by time");
-    trajectory.push_back(pose);
+    trajectory.push_back(pose_of(numbers_of(line, place), place));
   }
   if (trajectory.empty())
     throw InputError({name}, "holds no pose", "lines are `t x y z qx qy qz qw` or `t x y theta`");
+  std::stable_sort(trajectory.begin(), trajectory.end(),
+                   [](const StampedPose& a, const StampedPose& b) { return a.time < b.time; });
   return trajectory;
 }
 

@@ -15,8 +15,9 @@
 
 namespace mapbed {
 
-// Throw InputError, with the line, for other lines, a quaternion whose length is not 1 within 1 %,
-// stamps that go back, and a file without any pose.
+// In order of time, whatever the order in the file: reference poses of public logs jump back by
+// parts of a second. Throw InputError, with the line, for other lines, a quaternion whose length is
+// not 1 within 1 %, and a file without any pose.
 Trajectory load_trajectory(const std::string& path);
 Trajectory parse_trajectory(const std::string& name, std::string_view text);
 
