@@ -1,7 +1,12 @@
 #include "bench/cli/catalogue.h"
 
 #include "algorithms/estimator.h"
+#include "algorithms/grid/map_builder.h"
+#include "core/data_path.h"
+#include "core/log/log_description.h"
 #include "core/log/log_options.h"
+#include "robots/robot.h"
+#include "worlds/worlds.h"
 
 namespace mapbed {
 namespace {
@@ -14,6 +19,55 @@ std::vector<CatalogueEntry> method_entries() {
   return entries;
 }
 
+std::vector<CatalogueEntry> world_entries() {
+  std::vector<CatalogueEntry> entries;
+  for (const WorldKind& kind : world_kinds()) {
+    entries.push_back({kind.name, kind.about, [&kind] { return kind.complete_yaml({}); }});
+  }
+  return entries;
+}
+
+std::vector<CatalogueEntry> robot_entries() {
+  std::vector<CatalogueEntry> entries;
+  for (const std::string& name : robot_names()) {
+    entries.push_back({name, load_robot(name).about, [name] {
+                         Robot robot = load_robot(name);
+                         return to_yaml(options_of(robot));
+                       }});
+  }
+  return entries;
+}
+
+std::vector<CatalogueEntry> sensor_entries() {
+  std::vector<CatalogueEntry> entries;
+  for (const std::string& name : sensor_names()) {
+    entries.push_back({name, load_laser(name).about, [name] {
+                         LaserModel laser = load_laser(name);
+                         return to_yaml(options_of(laser));
+                       }});
+  }
+  return entries;
+}
+
+std::string text_of(const LogDescription& log) {
+  std::string text = "file: " + log.file + "\nsha256: " + log.sha256 + "\nsource: " + log.source +
+                     "\nlicence: " + log.licence + "\nfetch: " + log.fetch +
+                     "\nrobot: " + log.robot + "\nlaser: " + log.laser + "\n";
+  if (!log.pieces.empty()) text += "pieces:\n";
+  for (const std::string& piece : log.pieces) text += "  - " + piece + "\n";
+  return text;
+}
+
+std::vector<CatalogueEntry> log_entries() {
+  std::vector<CatalogueEntry> entries;
+  for (const std::string& name : data_names("scenarios/logs")) {
+    const std::string path = find_data_file("log", "scenarios/logs", name).string();
+    const LogDescription log = load_log_description(path);
+    entries.push_back({name, log.about, [log] { return text_of(log); }});
+  }
+  return entries;
+}
+
 template <class Options>
 std::string defaults_of() {
   Options options;
@@ -21,15 +75,17 @@ std::string defaults_of() {
 }
 
 std::vector<CatalogueEntry> setting_entries() {
-  return {{"log", "how a recorded log is read", defaults_of<LogOptions>}};
+  return {{"log", "how a recorded log is read", defaults_of<LogOptions>},
+          {"map", "how a map is made of scans and poses", defaults_of<MapOptions>}};
 }
 
 }  // namespace
 
 const std::vector<CatalogueShelf>& catalogue() {
   static const std::vector<CatalogueShelf> shelves{
-      {"methods", "method", method_entries},
-      {"settings", "setting", setting_entries},
+      {"worlds", "world", world_entries},    {"robots", "robot", robot_entries},
+      {"sensors", "sensor", sensor_entries}, {"methods", "method", method_entries},
+      {"logs", "log", log_entries},          {"settings", "setting", setting_entries},
   };
   return shelves;
 }

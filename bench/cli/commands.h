@@ -23,5 +23,7 @@ enum ExitStatus : int {
 void add_evaluate_command(CLI::App& program, Action& action);
 void add_list_command(CLI::App& program, Action& action);
 void add_describe_command(CLI::App& program, Action& action);
+void add_map_command(CLI::App& program, Action& action);
+void add_render_command(CLI::App& program, Action& action);
 
 }  // namespace mapbed

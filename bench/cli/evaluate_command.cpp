@@ -9,7 +9,8 @@
 
 #include "bench/cli/commands.h"
 #include "bench/metrics/evaluation.h"
-#include "core/geometry/angle.h"
+#include "core/atomic_file.h"
+#include "core/geometry/tum_file.h"
 #include "core/input_error.h"
 #include "core/log/log_file.h"
 #include "core/text_file.h"
@@ -22,36 +23,10 @@ struct EvaluateArguments {
   std::string relations;
   std::string odometry;
   std::string truth;
+  std::string json;
   std::string delta_unit = "frames";
   TruthOptions truth_options;
 };
-
-// Lines "t x y z qx qy qz qw" or "t x y theta".
-Trajectory load_tum(const std::string& path) {
-  const std::string content = read_text_file(path);
-  std::string_view rest = content;
-  Trajectory poses;
-  for (long number = 1; !rest.empty(); ++number) {
-    std::string_view line = next_line(rest);
-    std::vector<double> f;
-    for (auto word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line)) {
-      if (!parse_number(word, f.emplace_back())) {
-        throw InputError({path, number}, "'" + std::string(word.substr(0, 40)) + "' is no number");
-      }
-    }
-    if (f.empty()) continue;
-    if (f.size() != 4 && f.size() != 8) {
-      throw InputError({path, number}, "a pose has 4 or 8 numbers");
-    }
-    const bool planar = f.size() == 4;
-    const double theta =
-        planar ? normalized_angle(f[3])
-               : std::atan2(2 * (f[7] * f[6] + f[4] * f[5]), 1 - 2 * (f[5] * f[5] + f[6] * f[6]));
-    poses.push_back({f[0], {f[1], f[2], theta}});
-  }
-  if (poses.empty()) throw InputError({path}, "holds no pose", "a line is 't x y z qx qy qz qw'");
-  return poses;
-}
 
 // Pose lines have four or eight numbers; the lines of every log have more, or begin with a word.
 bool holds_pose_lines(const std::string& path) {
@@ -69,7 +44,7 @@ bool holds_pose_lines(const std::string& path) {
 }
 
 Trajectory odometry_from(const std::string& path) {
-  if (holds_pose_lines(path)) return load_tum(path);
+  if (holds_pose_lines(path)) return load_trajectory(path);
   Trajectory odometry;
   for (const Measurement& measurement : load_log(path).measurements) {
     const auto* reading = std::get_if<Odometry>(&measurement);
@@ -94,16 +69,30 @@ RelationsError against_relations(const Trajectory& estimate, const EvaluateArgum
   return error;
 }
 
+// "nan" and "inf" pass for numbers, but no error can be measured with them.
+void check_finite(const EvaluateArguments& arguments) {
+  const TruthOptions& options = arguments.truth_options;
+  const std::pair<const char*, double> numbers[] = {
+      {"--max-time-difference", options.max_time_difference},
+      {"--delta", options.relative.delta},
+      {"--path-length", options.path_length}};
+  for (const auto& [name, value] : numbers) {
+    if (!std::isfinite(value))
+      throw InputError(fmt::format("{}: {} is no finite number", name, value));
+  }
+}
+
 int evaluate(const EvaluateArguments& arguments) {
-  const Trajectory estimate = load_tum(arguments.estimate);
+  const Trajectory estimate = load_trajectory(arguments.estimate);
   Evaluation evaluation;
   if (!arguments.relations.empty()) {
     evaluation.relations = against_relations(estimate, arguments);
   }
   if (!arguments.truth.empty()) {
     evaluation.truth =
-        compare_with_truth(estimate, load_tum(arguments.truth), arguments.truth_options);
+        compare_with_truth(estimate, load_trajectory(arguments.truth), arguments.truth_options);
   }
+  if (!arguments.json.empty()) write_file(arguments.json, json_of(evaluation));
   fmt::print("{}", table_of(evaluation));
   return kDone;
 }
@@ -156,10 +145,12 @@ void add_evaluate_command(CLI::App& program, Action& action) {
       ->capture_default_str()
       ->check(CLI::PositiveNumber)
       ->needs(truth);
+  command->add_option("--json", arguments->json, "write the figures to this file, with all digits");
   command->callback([arguments, &action] {
     if (arguments->relations.empty() && arguments->truth.empty()) {
       throw InputError("evaluate needs something to compare with; give --relations or --truth");
     }
+    check_finite(*arguments);
     RelativeErrorOptions& relative = arguments->truth_options.relative;
     relative.unit = arguments->delta_unit == "m" ? PathUnit::meters : PathUnit::frames;
     if (relative.unit == PathUnit::frames && relative.delta != std::floor(relative.delta)) {

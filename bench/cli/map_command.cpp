@@ -1,0 +1,169 @@
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "bench/cli/commands.h"
+#include "bench/cli/interrupt.h"
+#include "bench/cli/output_folder.h"
+#include "bench/cli/progress.h"
+#include "bench/map_run.h"
+#include "core/data_path.h"
+#include "core/input_error.h"
+#include "core/log/log_description.h"
+
+namespace mapbed {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+struct MapArguments {
+  std::string log;
+  std::string method;
+  std::string config_file;
+  std::string resolution;
+  std::string seed;
+  std::string folder;
+  std::vector<std::string> settings;
+};
+
+// The file under --config, then --set in its order, then the options that have a name of their own.
+Settings settings_from(const MapArguments& arguments) {
+  Settings settings;
+  if (!arguments.config_file.empty()) settings = load_settings(arguments.config_file);
+  for (const std::string& text : arguments.settings) settings.push_back(parse_setting(text));
+  const auto add = [&](const char* path, const char* option, const std::string& text) {
+    if (!text.empty()) settings.push_back({path, text, {option + (" " + text), 0}});
+  };
+  add("method", "--method", arguments.method);
+  add("map.resolution", "--resolution", arguments.resolution);
+  add("seed", "--seed", arguments.seed);
+  return settings;
+}
+
+// A log, and what is known of its sensors beyond what it says itself.
+struct ChosenLog {
+  std::string path;
+  LogOptions options;
+};
+
+// By its path, by the path of its description (.yaml), or by the name of one in scenarios/logs.
+ChosenLog chosen_log(const std::string& log) {
+  std::string description = log;
+  if (!fs::exists(log) && log.find_first_of("/.") == std::string::npos) {
+    description = find_data_file("log", "scenarios/logs", log).string();
+  }
+  if (!description.ends_with(".yaml")) return {log, {}};
+  const LogDescription found = load_log_description(description);
+  return {find_log(found), found.options};
+}
+
+// "intel.clf.gz" -> "intel"
+std::string name_of_log(const std::string& path) {
+  const std::string file = fs::path(path).filename().string();
+  const std::string name = file.substr(0, file.find('.', 1));
+  return name.empty() ? "log" : name;
+}
+
+void print_log(const std::string& path, const RecordedLog& log, double seconds) {
+  int scans = 0;
+  int readings = 0;
+  for (const Measurement& measurement : log.measurements) {
+    ++(std::holds_alternative<LaserScan>(measurement) ? scans : readings);
+  }
+  fmt::print("{}: {}, {} scans, {} odometry readings, {:.1f} s recorded; read in {:.2f} s\n", path,
+             log.format, scans, readings,
+             time_of(log.measurements.back()) - time_of(log.measurements.front()), seconds);
+  for (const LogWarning& warning : log.warnings) {
+    fmt::print(stderr, "warning: {}\n", to_string(warning));
+  }
+}
+
+void print_result(const MapRun& run, const std::string& folder, double total) {
+  for (const std::string& remark : run.estimate.remarks) {
+    fmt::print(stderr, "remark: {}\n", remark);
+  }
+  const CellBox box = known_box(run.map);
+  fmt::print("{}: {} poses, {:.1f} m of path, {} of them by prediction alone\n", run.config.method,
+             run.estimate.trajectory.size(), path_length(run.estimate.trajectory),
+             run.estimate.untrusted_scans);
+  if (!box.empty()) {
+    fmt::print("map: {:.1f} x {:.1f} m at {:g} m per cell\n", box.width() * run.map.resolution(),
+               box.height() * run.map.resolution(), run.map.resolution());
+  }
+  const MapCost& cost = run.cost;
+  fmt::print("time: {:.2f} ms per scan ({:.1f} ms the longest), map {:.2f} s, all {:.2f} s",
+             1e3 * cost.estimating / std::max(1, cost.scans), 1e3 * cost.longest_scan, cost.mapping,
+             total);
+  if (total > 0.0) fmt::print(", {:.0f} times real time", cost.seconds_recorded / total);
+  fmt::print("; {:.0f} MB\n", cost.peak_memory / 1e6);
+  fmt::print("written to {}\n", folder);
+}
+
+int map_log(const MapArguments& arguments) {
+  const InterruptGuard interrupt;
+  const Clock::time_point start = Clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const Settings settings = settings_from(arguments);
+  map_config_from(settings);  // wrong options are told before a log is looked for
+  const ChosenLog chosen = chosen_log(arguments.log);
+  const MapConfig config = map_config_from(settings, {.log = chosen.options});
+  const std::string folder =
+      arguments.folder.empty() ? name_of_log(arguments.log) + "_map" : arguments.folder;
+  const RecordedLog log = load_log(chosen.path, config.log);
+  print_log(arguments.log, log, elapsed());
+  make_output_folder(folder);
+
+  MapRun run = [&] {
+    Progress progress(config.method, log.measurements.size());
+    return make_map(log, config, [&](std::size_t done, std::size_t) {
+      progress.advance_to(done);
+      return !interrupt.was_interrupted();
+    });
+  }();
+  if (run.estimate.trajectory.empty()) {
+    fmt::print(stderr, "mapbed: interrupted before the first scan; nothing was written\n");
+    return kInterrupted;
+  }
+  write_map_run(folder, arguments.log, log, run);
+  print_result(run, folder, elapsed());
+  if (run.complete()) return kDone;
+  fmt::print(stderr, "mapbed: interrupted after {} of {} scans; {} holds the map of these\n",
+             run.estimate.trajectory.size(), run.scans_in_log, folder);
+  return kInterrupted;
+}
+
+}  // namespace
+
+void add_map_command(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand("map", "Make a map and a trajectory of a log");
+  const auto arguments = std::make_shared<MapArguments>();
+  command
+      ->add_option(
+          "LOG", arguments->log,
+          "CARMEN (.log, .clf), CoreSLAM, DP-SLAM or a list of scans, also gzipped; or the "
+          "name or .yaml of one that 'mapbed list logs' shows")
+      ->required();
+  command->add_option("--method", arguments->method,
+                      "who finds the trajectory; see 'mapbed list methods'");
+  command->add_option("--resolution", arguments->resolution, "side of a cell, as in '5 cm'");
+  command->add_option("--seed", arguments->seed, "of all chance");
+  command
+      ->add_option("--set", arguments->settings,
+                   "path=value, any option that 'mapbed describe' shows: log.max_range='50 m', "
+                   "map.model=odds; may come again")
+      ->allow_extra_args(false);
+  command->add_option("--config", arguments->config_file,
+                      "YAML with such options, as config.yaml in a result's folder");
+  command->add_option("--out", arguments->folder,
+                      "folder for the results; LOG's name and '_map' here where left out");
+  command->callback([arguments, &action] { action = [arguments] { return map_log(*arguments); }; });
+}
+
+}  // namespace mapbed

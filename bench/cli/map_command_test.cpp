@@ -1,0 +1,180 @@
+// `mapbed map` from the command line to the files that it writes.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "bench/cli/program_under_test.h"
+#include "core/geometry/tum_file.h"
+#include "core/image/png.h"
+#include "core/log/carmen_log.h"
+#include "core/testing/test_room.h"
+#include "core/text_file.h"
+
+namespace mapbed {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+namespace fs = std::filesystem;
+
+class MapCommand : public ::testing::Test {
+ protected:
+  MapCommand() {
+    folder_ = fs::temp_directory_path() / ("mapbed_map_" + std::to_string(::getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    DriveOptions drive;
+    drive.laser.beams = 180;
+    drive.laser.max_range = 80.0;
+    log_ = drive_through(rectangular_room(6.0, 4.0), {{-1.0, 0.0}, {1.5, 0.0}}, drive, Rng(1));
+    write_carmen_log(path("room.log"), log_);
+  }
+  ~MapCommand() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return folder_ / name; }
+  std::string text(const std::string& name) const { return read_text_file(path(name)); }
+  Outcome run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"map", "room.log", "--method", "odometry"});
+    return run_mapbed(arguments, folder_);
+  }
+  void expect_refusal(const std::vector<std::string>& arguments, const std::string& message) const {
+    const Outcome outcome = run_mapbed(arguments, folder_);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_THAT(outcome.err, StartsWith("mapbed: "));
+  }
+
+  fs::path folder_;
+  RecordedLog log_;
+};
+
+TEST_F(MapCommand, WritesMapTrajectoryAndFiguresBesideTheCaller) {
+  const Outcome outcome = run({});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("times real time"), HasSubstr("room_map")));
+  const Trajectory trajectory = load_trajectory(path("room_map/trajectory.tum"));
+  ASSERT_EQ(trajectory.size(), log_.true_poses.size());
+  EXPECT_NEAR(trajectory.front().time, log_.true_poses.front().time, 1e-6) << "absolute stamps";
+  const GrayImage map = read_gray_png(path("room_map/map.png"));
+  // What lies before the start, 1 m behind the middle of 6 m x 4 m: 4 m each way at 5 cm. The drive
+  // of 2.5 m may turn the map by some 0.06 rad (two sigma), which moves its corners by 5 cells.
+  EXPECT_NEAR(map.width(), 4.0 / 0.05, 6);
+  EXPECT_NEAR(map.height(), 4.0 / 0.05, 10);
+  EXPECT_GT(read_rgb_png(path("room_map/picture.png")).height(), map.height());
+  EXPECT_THAT(text("room_map/map.yaml"), HasSubstr("resolution: 0.05"));
+  EXPECT_TRUE(fs::exists(path("room_map/map.pgm")));
+  EXPECT_THAT(text("room_map/summary.json"),
+              AllOf(HasSubstr("\"complete\": true"), HasSubstr("\"method\": \"odometry\"")));
+  EXPECT_THAT(text("room_map/cost.csv"), StartsWith("scans,recorded_s,"));
+}
+
+TEST_F(MapCommand, TheSameCommandGivesTheSameBytes) {
+  ASSERT_EQ(run({"--out", "a"}).status, 0);
+  ASSERT_EQ(run({"--out", "b"}).status, 0);
+  for (const fs::directory_entry& file : fs::directory_iterator(path("a"))) {
+    const std::string name = file.path().filename();
+    if (name == "cost.csv") continue;  // time and memory, which stand nowhere else
+    EXPECT_EQ(text("a/" + name), text("b/" + name)) << name;
+  }
+}
+
+TEST_F(MapCommand, ItsConfigurationRepeatsTheRun) {
+  ASSERT_EQ(run({"--out", "a", "--resolution", "10 cm", "--set", "map.model=odds"}).status, 0);
+  EXPECT_THAT(text("a/config.yaml"), AllOf(HasSubstr("resolution: 0.1 m"), HasSubstr("odds")));
+  const Outcome again =
+      run_mapbed({"map", "room.log", "--config", "a/config.yaml", "--out", "b"}, folder_);
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(text("a/config.yaml"), text("b/config.yaml"));
+  EXPECT_EQ(text("a/map.png"), text("b/map.png"));
+}
+
+TEST_F(MapCommand, TakesALogByItsDescriptionOrName) {
+  const Outcome by_name =
+      run_mapbed({"map", "example", "--method", "odometry", "--out", "by_name"}, folder_);
+  ASSERT_EQ(by_name.status, 0) << by_name.err;
+  const Outcome by_file =
+      run_mapbed({"map", std::string(MAPBED_SOURCE_DIR) + "/scenarios/logs/example.yaml",
+                  "--method", "odometry", "--out", "by_file"},
+                 folder_);
+  ASSERT_EQ(by_file.status, 0) << by_file.err;
+  EXPECT_EQ(text("by_name/map.png"), text("by_file/map.png"));
+  expect_refusal({"map", "exampel"}, "did you mean 'example'?");
+}
+
+TEST_F(MapCommand, SaysWhatIsWrongWithTheLog) {
+  std::ofstream(path("empty.log")) << "";
+  std::ofstream(path("words.log")) << "once upon a time\n";
+  std::ofstream(path("drive.bag")) << "#ROSBAG V2.0\n";
+  expect_refusal({"map", "absent.log"}, "absent.log: ");
+  expect_refusal({"map", "."}, "folder");
+  expect_refusal({"map", "empty.log"}, "empty.log");
+  expect_refusal({"map", "words.log"}, "words.log");
+  expect_refusal({"map", "drive.bag"}, "drive.bag");
+  EXPECT_FALSE(fs::exists(path("empty_map"))) << "nothing is left of a run that never began";
+}
+
+TEST_F(MapCommand, SaysWhatIsWrongWithItsOptions) {
+  std::ofstream(path("wrong.yaml")) << "map:\n  resolutoin: 5 cm\n";
+  std::ofstream(path("not.yaml")) << "map: [1, 2\n";
+  expect_refusal({"map", "room.log", "--method", "odometri"},
+                 "unknown method 'odometri'; did you mean 'odometry'?");
+  expect_refusal({"map", "room.log", "--methd", "odometry"}, "did you mean '--method'?");
+  expect_refusal({"map", "room.log", "--set", "map.resolution"}, "path=value");
+  expect_refusal({"map", "room.log", "--set", "map.resolutoin=5 cm"}, "did you mean 'resolution'?");
+  expect_refusal({"map", "room.log", "--resolution", "5 kg"}, "'5 kg' is no length");
+  expect_refusal({"map", "room.log", "--resolution", "0 m"}, "resolution");
+  expect_refusal({"map", "room.log", "--resolution", "nan m"}, "nan");
+  expect_refusal({"map", "room.log", "--seed", "first"}, "first");
+  expect_refusal({"map", "room.log", "--config", "wrong.yaml"}, "wrong.yaml:2: unknown key");
+  expect_refusal({"map", "room.log", "--config", "not.yaml"}, "not.yaml:");
+  expect_refusal({"map", "room.log", "--config", "absent.yaml"}, "absent.yaml");
+}
+
+TEST_F(MapCommand, SaysBeforeTheWorkThatTheFolderWillNotDo) {
+  std::ofstream(path("file")) << "x";
+  expect_refusal({"map", "room.log", "--out", "file"}, "file: ");
+  expect_refusal({"map", "room.log", "--out", "/dev/null/x"}, "choose another folder with --out");
+  if (geteuid() != 0) {  // root may write everywhere
+    fs::create_directory(path("locked"));
+    fs::permissions(path("locked"), fs::perms::owner_read | fs::perms::owner_exec);
+    expect_refusal({"map", "room.log", "--out", "locked"}, "cannot be written into");
+  }
+}
+
+TEST_F(MapCommand, LeavesNoHalfWrittenFileOnAFullDisk) {
+  // No file may grow beyond 2 kB, as if the disk were full then.
+  const Outcome outcome = run_shell(
+      "trap '' XFSZ; ulimit -f 4; exec \"$MAPBED\" map room.log --method odometry --out full",
+      folder_);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("mapbed: full/"));
+  for (const fs::directory_entry& file : fs::directory_iterator(path("full"))) {
+    EXPECT_TRUE(load_trajectory(file.path()).size() == log_.true_poses.size()) << file.path();
+  }
+  EXPECT_FALSE(fs::exists(path("full/summary.json")));
+}
+
+TEST_F(MapCommand, EndsWithItsOwnStatusWhenItIsInterrupted) {
+  // The log comes through a pipe, so that the signal arrives while the program waits for it.
+  ASSERT_EQ(0, ::mkfifo(path("pipe.log").c_str(), 0600));
+  const Outcome outcome = run_shell(
+      "\"$MAPBED\" map pipe.log --method odometry --out none & program=$!\n"
+      "exec 3>pipe.log; sleep 0.2; kill -INT $program; cat room.log >&3; exec 3>&-\n"
+      "wait $program",
+      folder_);
+  EXPECT_EQ(outcome.status, 3) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("interrupted before the first scan; nothing was written"));
+  EXPECT_FALSE(fs::exists(path("none/summary.json")));
+}
+
+}  // namespace
+}  // namespace mapbed

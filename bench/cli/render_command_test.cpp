@@ -1,0 +1,88 @@
+// `mapbed render` from the command line to the picture.
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "algorithms/grid/map_file.h"
+#include "algorithms/grid/map_image.h"
+#include "bench/cli/program_under_test.h"
+#include "core/image/png.h"
+
+namespace mapbed {
+namespace {
+
+using ::testing::HasSubstr;
+
+namespace fs = std::filesystem;
+
+class RenderCommand : public ::testing::Test {
+ protected:
+  RenderCommand() {
+    folder_ = fs::temp_directory_path() / ("mapbed_render_" + std::to_string(::getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    OccupancyMap map(GridFrame{.resolution = 0.1, .origin = {-2.0, 1.0}});
+    for (int x = 0; x < 50; ++x) {
+      for (int y = 0; y < 30; ++y) map.at({x, y}) = known(x == 0 ? 1.0 : 0.25 * (y % 2));
+    }
+    write_map(path("room"), map);
+    write_png(path("room.png"), to_image(map));
+    std::ofstream(path("drive.txt")) << "0 -1 2 0\n1 2 3 0\n";
+  }
+  ~RenderCommand() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return folder_ / name; }
+  void expect_refusal(const std::vector<std::string>& arguments, const std::string& message) const {
+    const Outcome outcome = run_mapbed(arguments, folder_);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(RenderCommand, DrawsAMapWithItsTrajectory) {
+  const Outcome plain = run_mapbed({"render", "room.yaml", "-o", "plain.png"}, folder_);
+  ASSERT_EQ(plain.status, 0) << plain.err;
+  const Outcome drawn = run_mapbed({"render", "room.yaml", "--output", "drawn.png", "--trajectory",
+                                    "drive.txt", "--name", "by odometry"},
+                                   folder_);
+  ASSERT_EQ(drawn.status, 0) << drawn.err;
+  const RgbImage a = read_rgb_png(path("plain.png"));
+  const RgbImage b = read_rgb_png(path("drawn.png"));
+  EXPECT_GE(a.width(), 50 * 12);
+  EXPECT_NE(a, b);
+}
+
+TEST_F(RenderCommand, APictureKeepsItsGreysAndTakesItsPlaceFromTheFileBesideIt) {
+  const Outcome outcome =
+      run_mapbed({"render", "room.png", "-o", "a.png", "--trajectory", "drive.txt"}, folder_);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  fs::remove(path("room.yaml"));
+  expect_refusal({"render", "room.png", "-o", "b.png"}, "add --resolution");
+  EXPECT_EQ(
+      run_mapbed({"render", "room.png", "-o", "b.png", "--resolution", "10 cm"}, folder_).status,
+      0);
+}
+
+TEST_F(RenderCommand, SaysWhatIsWrong) {
+  std::ofstream(path("text.png")) << "no picture";
+  std::ofstream(path("half.yaml")) << "image: room.pgm\n";
+  expect_refusal({"render", "room.yaml"}, "--output is required");
+  expect_refusal({"render", "absent.yaml", "-o", "x.png"}, "absent.yaml");
+  expect_refusal({"render", "drive.txt", "-o", "x.png"}, "drive.txt: is no map");
+  expect_refusal({"render", "text.png", "-o", "x.png", "--resolution", "1 m"}, "text.png");
+  expect_refusal({"render", "half.yaml", "-o", "x.png"}, "half.yaml");
+  expect_refusal({"render", "room.png", "-o", "x.png", "--resolution", "3 kg"},
+                 "'3 kg' is no length");
+  expect_refusal({"render", "room.yaml", "-o", "x.png", "--trajectory", "absent.tum"},
+                 "absent.tum");
+  expect_refusal({"render", "room.yaml", "-o", "/dev/null/x.png"}, "/dev/null/x.png");
+  expect_refusal({"render", "room.yaml", "-o", "x.png", "--size", "0"}, "--size");
+}
+
+}  // namespace
+}  // namespace mapbed

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "algorithms/estimator.h"
+#include "algorithms/grid/map_builder.h"
+#include "core/config/settings.h"
+#include "core/log/log_options.h"
+
+namespace mapbed {
+
+// Everything that decides what `mapbed map` makes of a log.
+//
+//   method: scan_matching
+//   seed: 1
+//   log:            # how the log is read
+//     max_range: 50 m
+//   map:            # how the map is made of scans and poses
+//     resolution: 5 cm
+//   scan_matching:  # the method's own options, under its name
+//     first_step: 10 cm
+struct MapConfig {
+  std::string method = "odometry";
+  std::uint64_t seed = 1;
+  LogOptions log = {};
+  MapOptions map = {};
+  Settings method_settings =
+      {};  // what differs from the method's defaults, without its name in front
+};
+
+template <class Visitor>
+void visit_fields(MapConfig& o, Visitor&& visit) {
+  visit("method", o.method, "who finds the trajectory; 'mapbed list methods'");
+  visit("seed", o.seed, "of all chance");
+  visit("log", o.log, "how the log is read");
+  visit("map", o.map, "how the map is made of scans and poses");
+}
+
+// `start` with the settings written over it, the later of two winning. Throws InputError on
+// anything unknown, with the place.
+MapConfig map_config_from(const Settings& settings, MapConfig start = {});
+
+// Complete, with units and meanings; map_config_from(load_settings(…)) of it gives the same again.
+std::string to_yaml(MapConfig config);
+
+}  // namespace mapbed
