@@ -206,6 +206,10 @@ Truth parse_truth(const std::string& name, std::string_view text) {
   return Reader(name, text).read();
 }
 
+void write_truth(const std::string& path, const Truth& truth) {
+  write_text_file(path, truth_text(truth));
+}
+
 Truth load_truth(const std::string& path) {
   return parse_truth(path, read_text_file(path, std::size_t{1} << 32));
 }

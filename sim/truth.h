@@ -48,8 +48,9 @@ struct Truth {
 
 Trajectory trajectory_of(const Truth& truth);  // world_from_robot at every scan's stamp
 
-// Text; see truth.cpp for the lines. load_truth reads it gzipped as well and throws InputError with
-// file and line.
+// Text, gzipped where the path ends in .gz; see truth.cpp for the lines. load_truth throws
+// InputError with file and line.
+void write_truth(const std::string& path, const Truth& truth);
 Truth load_truth(const std::string& path);
 Truth parse_truth(const std::string& name, std::string_view text);
 std::string truth_text(const Truth& truth);

@@ -70,6 +70,7 @@ int run_program(int argc, const char* const* argv) {
   add_render_command(program, action);
   add_list_command(program, action);
   add_describe_command(program, action);
+  add_simulate_command(program, action);
 
   try {
     program.parse(argc, argv);

@@ -1,0 +1,140 @@
+#include "bench/simulate.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/config/config_node.h"
+#include "core/geometry/tum_file.h"
+#include "core/image/pnm.h"
+#include "core/log/carmen_log.h"
+#include "core/text_file.h"
+#include "sim/relations.h"
+#include "worlds/raster.h"
+#include "worlds/worlds.h"
+
+namespace mapbed {
+namespace {
+
+// Everything about a simulation that can be set, but the world's own options.
+struct Options {
+  Robot& robot;
+  SimulationOptions simulation;
+  ScriptedDriverOptions driver;
+  RecorderOptions recorder;
+};
+
+template <class Visitor>
+void visit_fields(Options& o, Visitor&& visit) {
+  visit("robot", o.robot, "what drives");
+  visit("simulation", o.simulation, "how the world goes on");
+  visit("driver", o.driver, "how it is driven");
+  visit("recorder", o.recorder, "what is recorded");
+}
+
+// Divides settings by what they begin with: "world.seed" is the world's "seed".
+Settings settings_of_world(const Settings& all) {
+  Settings result;
+  for (Setting setting : all) {
+    if (!setting.path.starts_with("world.")) continue;
+    setting.path = setting.path.substr(6);
+    result.push_back(setting);
+  }
+  return result;
+}
+
+Settings settings_of_others(const Settings& all) {
+  Settings result;
+  for (const Setting& setting : all) {
+    if (!setting.path.starts_with("world.")) result.push_back(setting);
+  }
+  return result;
+}
+
+// "dir/name.log.gz" -> "dir/name"
+std::string stem_of(std::string path) {
+  for (const char* ending : {".gz", ".log", ".clf"}) {
+    if (path.ends_with(ending)) path.resize(path.size() - std::string(ending).size());
+  }
+  return path;
+}
+
+void write_true_map(const std::string& stem, const SimulationResult& result) {
+  RasterOptions options;
+  if (!result.robot.lasers.empty()) options.height = result.robot.lasers.front().height;
+  const TrueMap map = raster(result.world, options);
+  GrayImage image(map.width, map.height, 205);  // as map_server draws the unknown
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      const TrueCell cell = map.at(x, y);
+      if (cell == TrueCell::free) image.at(x, map.height - 1 - y) = 254;
+      if (cell == TrueCell::occupied) image.at(x, map.height - 1 - y) = 0;
+    }
+  }
+  write_pgm(stem + "_map.pgm", image);
+  const std::string file = stem.substr(stem.find_last_of('/') + 1);
+  write_text_file(stem + "_map.yaml",
+                  fmt::format("image: {}_map.pgm\nresolution: {}\norigin: [{}, {}, 0]\nnegate: 0\n"
+                              "occupied_thresh: 0.65\nfree_thresh: 0.196\n",
+                              file, map.resolution, map.origin.x(), map.origin.y()));
+}
+
+}  // namespace
+
+SimulationPlan load_simulation_plan(const std::string& scenario_path) {
+  const ConfigNode file = load_config(scenario_path);
+  SimulationPlan plan;
+  plan.world = file.at("world").text();
+  plan.robot = file.at("robot").text();
+  if (const ConfigNode* path = file.find("path")) plan.path = path->text();
+  if (const ConfigNode* people = file.find("people")) {
+    plan.people = people->whole_number(at_least(0));
+  }
+  if (const ConfigNode* seed = file.find("seed")) plan.seed = seed->unsigned_number();
+  if (const ConfigNode* set = file.find("set")) plan.settings = settings_of(*set);
+  return plan;
+}
+
+SimulationResult run_simulation(const SimulationPlan& plan) {
+  SimulationResult result;
+  result.world = build_world(plan.world, settings_of_world(plan.settings));
+  result.robot = load_robot(plan.robot);
+  Options options{.robot = result.robot, .simulation = {}, .driver = {}, .recorder = {}};
+  options.simulation.people.walkers = plan.people;
+  apply(settings_of_others(plan.settings), options_of(options), "the simulation");
+  result.config = fmt::format("world: {}\nseed: {}\npath: {}\n", plan.world, plan.seed, plan.path) +
+                  to_yaml(options_of(options));
+  if (result.world.paths.empty()) {
+    throw InputError("world '" + plan.world + "' has no path to drive; add one to its paths");
+  }
+  if (result.robot.lasers.empty()) {
+    throw InputError("robot '" + plan.robot + "' has no laser; add one to its lasers");
+  }
+  const NamedPath& path =
+      plan.path.empty() ? result.world.paths.front() : path_by_name(result.world, plan.path);
+
+  const Rng rng(plan.seed);
+  Simulation simulation(result.world, result.robot, start_of(path), options.simulation, rng);
+  ScriptedDriver driver(simulation, path, options.driver);
+  options.recorder.longest = std::min(options.recorder.longest, driver.longest_time());
+  result.recording = record(simulation, driver, options.recorder, rng);
+  result.log = with_noise(result.recording, result.robot, rng);
+  return result;
+}
+
+void write_simulation(const std::string& log_path, const SimulationResult& result) {
+  const Trajectory truth = trajectory_of(result.recording.truth);
+  RecordedLog log;
+  log.format = "CARMEN";
+  log.measurements = result.log;
+  log.true_poses = truth;
+  write_carmen_log(log_path, log);
+  const std::string stem = stem_of(log_path);
+  write_truth(stem + ".truth.gz", result.recording.truth);
+  write_text_file(stem + ".relations", relations_text(truth));
+  write_trajectory(stem + ".tum", truth);
+  write_text_file(stem + ".config.yaml", result.config);
+  write_true_map(stem, result);
+}
+
+}  // namespace mapbed

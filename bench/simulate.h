@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/config/settings.h"
+#include "sim/recorder.h"
+#include "sim/scripted_driver.h"
+#include "sim/simulation.h"
+
+namespace mapbed {
+
+// One recording: which world, which robot along which path, who is about.
+struct SimulationPlan {
+  std::string world;       // a builder's name or a world file
+  std::string robot;       // a robot's name or file
+  std::string path;        // a named path of the world; empty: its first
+  int people = -1;         // who walk; -1: as many as the world says
+  std::uint64_t seed = 1;  // of everything that is chance
+  Settings settings;       // world.…, robot.…, simulation.…, driver.…, recorder.…
+};
+
+// From a scenario file: its keys world, robot, path, people, seed, and set (a map of settings);
+// what else a scenario says is for others. Throws InputError.
+SimulationPlan load_simulation_plan(const std::string& scenario_path);
+
+struct SimulationResult {
+  World world;
+  Robot robot;
+  Recording recording;
+  SensorLog log;
+  std::string config;  // complete, as YAML
+};
+
+// Throws InputError where something is unknown or does not fit.
+SimulationResult run_simulation(const SimulationPlan& plan);
+
+// Beside LOG = name.log[.gz]: name.truth.gz, name.relations, name.tum (true poses), name_map.pgm
+// and .yaml (true map at the first laser's height), name.config.yaml.
+void write_simulation(const std::string& log_path, const SimulationResult& result);
+
+}  // namespace mapbed
