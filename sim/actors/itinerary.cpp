@@ -9,7 +9,9 @@ namespace {
 
 constexpr double kArrived = 0.6;    // [m]
 constexpr double kLookEvery = 0.3;  // [s]
-constexpr double kPatience = 4.0;   // [s] without getting nearer, then try another way
+constexpr double kProgress = 0.8;   // [m] who gets this far gets on
+constexpr double kPatience = 4.0;   // [s] without getting on, then tries another way
+constexpr int kVainPlans = 2;       // then turn back
 constexpr double kScatter = 0.35;   // [m] nobody walks exactly where others do
 
 }  // namespace
@@ -26,6 +28,18 @@ Itinerary::Itinerary(const CrowdRoute& route, const CrowdRules& rules, std::size
   CHECK(points_.size() >= 2 && next < points_.size());
 }
 
+// Somebody or something stands in the way for good.
+void Itinerary::turn_back() {
+  const std::size_t count = points_.size();
+  direction_ = -direction_;
+  vain_plans_ = 0;
+  if (closed_) {
+    next_ = direction_ > 0 ? (next_ + 1) % count : (next_ + count - 1) % count;
+  } else if (direction_ > 0 ? next_ + 1 < count : next_ > 0) {
+    next_ = direction_ > 0 ? next_ + 1 : next_ - 1;
+  }
+}
+
 void Itinerary::arrive(double time) {
   if (rng_.uniform() < pause_share_)
     pause_until_ = time - mean_pause_ * std::log(1.0 - rng_.uniform());
@@ -40,8 +54,7 @@ void Itinerary::arrive(double time) {
   corners_.clear();
 }
 
-void Itinerary::plan_way(const Eigen::Vector2d& position, double radius, const FloorPlan& plan,
-                         double time) {
+void Itinerary::plan_way(const Eigen::Vector2d& position, double radius, const FloorPlan& plan) {
   goal_ = points_[next_];
   for (int attempt = 0; attempt < 8; ++attempt) {
     const Eigen::Vector2d near =
@@ -53,27 +66,29 @@ void Itinerary::plan_way(const Eigen::Vector2d& position, double radius, const F
   const auto way = plan.way(position, goal_, radius);
   corners_ = way ? *way : std::vector<Eigen::Vector2d>{position, goal_};
   corner_ = 1;
-  stuck_since_ = time;
-  least_left_ = (goal_ - position).norm();
 }
 
 Eigen::Vector2d Itinerary::wish(const Eigen::Vector2d& position, double speed, double radius,
                                 const FloorPlan& plan, double time) {
   if (is_pausing(time)) {
-    stuck_since_ = time;
+    anchored_at_ = time;
     return Eigen::Vector2d::Zero();
   }
-  if (corners_.empty()) plan_way(position, radius, plan, time);
+  if (corners_.empty()) plan_way(position, radius, plan);
   if ((goal_ - position).norm() < kArrived) {
     arrive(time);
-    return is_pausing(time) ? Eigen::Vector2d::Zero() : wish(position, speed, radius, plan, time);
+    return Eigen::Vector2d::Zero();  // thinks for a moment
   }
-  const double left = (goal_ - position).norm();
-  if (left < least_left_ - 0.2 || corner_ + 1 < corners_.size()) {
-    least_left_ = left;
-    stuck_since_ = std::max(stuck_since_, time - kPatience / 2.0);
+  if ((position - anchor_).norm() > kProgress) {
+    anchor_ = position;
+    anchored_at_ = time;
+    vain_plans_ = 0;
   }
-  if (time - stuck_since_ > kPatience) plan_way(position, radius, plan, time);
+  if (time - anchored_at_ > kPatience) {
+    if (++vain_plans_ >= kVainPlans) turn_back();
+    plan_way(position, radius, plan);
+    anchored_at_ = time;
+  }
   if (time >= next_look_) {
     next_look_ = time + kLookEvery;
     while (corner_ + 1 < corners_.size() &&

@@ -25,7 +25,8 @@ class Itinerary {
 
  private:
   void arrive(double time);
-  void plan_way(const Eigen::Vector2d& position, double radius, const FloorPlan& plan, double time);
+  void turn_back();
+  void plan_way(const Eigen::Vector2d& position, double radius, const FloorPlan& plan);
 
   std::vector<Eigen::Vector2d> points_;
   bool closed_;
@@ -39,8 +40,9 @@ class Itinerary {
   std::size_t corner_ = 0;
   double pause_until_ = -1.0;  // [s]
   double next_look_ = 0.0;     // [s] when to see whether the way has become shorter
-  double stuck_since_ = 0.0;   // [s]
-  double least_left_ = 0.0;    // [m] to the goal, the least so far
+  int vain_plans_ = 0;         // new plans on this way that did not help
+  Eigen::Vector2d anchor_ = Eigen::Vector2d::Zero();  // where it was at anchored_at_
+  double anchored_at_ = 0.0;                          // [s]
 };
 
 }  // namespace mapbed

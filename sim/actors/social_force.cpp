@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFarAway = 7.0;     // in ranges B: exp(-7) of the repulsion is below 2 N
+constexpr double kFarAway = 7.0;    // in ranges B: exp(-7) of the repulsion is below 2 N
 constexpr double kHardShare = 0.7;  // of the radius that nothing gets into
 constexpr double kStandTurn = 3.0;  // [1/s^2] stiffness of turning on the spot
 constexpr double kLeastPull = 0.5;  // of the heading towards the wish, where f_0 has died away
@@ -116,7 +116,7 @@ Vector2d force_of_robots(const Walker& walker, std::span<const RoundObstacle> ro
   Vector2d force = Vector2d::Zero();
   for (const RoundObstacle& robot : robots) {
     const Vector2d apart = walker.position - robot.position;
-    const double radii = walker.radius + robot.radius;
+    const double radii = o.shoulder * walker.radius + robot.radius;
     const double d = apart.norm();
     if (d >= radii + kFarAway * o.range || d < 1e-6) continue;
     force += repulsion(sane(radii - d, radii), apart / d, robot.velocity - walker.velocity, o);
@@ -170,8 +170,7 @@ void keep_out_of_robots(Walker& w, std::span<const RoundObstacle> robots) {
   }
 }
 
-void keep_out_of_walls(Walker& w, const FloorPlan& plan, std::span<const Wall> doors,
-                       double hard) {
+void keep_out_of_walls(Walker& w, const FloorPlan& plan, std::span<const Wall> doors, double hard) {
   for (const Wall& wall : doors) keep_out(w, nearest_point(wall, w.position), hard);
   for (const Wall& wall : plan.walls_near(w.position)) {
     keep_out(w, nearest_point(wall, w.position), hard);
