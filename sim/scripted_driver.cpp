@@ -15,6 +15,8 @@ using Eigen::Vector2d;
 constexpr double kDecideEvery = 0.05;  // [s]
 constexpr double kArrived = 0.15;      // [m]
 constexpr double kDetour = 1.5;        // [m] how far to look for a way round somebody
+constexpr double kStandOff = 4.0;      // times its patience: then it makes room by backing up ...
+constexpr double kRetreat = 7.0;       // [s] ... for so long
 constexpr double kTurnGain = 2.0;      // [1/s]
 
 // Of a point from the straight way between two others. [m]
@@ -123,8 +125,15 @@ DriveCommand ScriptedDriver::steer(const Vector2d& to, double speed) const {
   return command;
 }
 
+// Straight back, as long as that is free.
+DriveCommand ScriptedDriver::back_up() const {
+  const Vector2d behind = simulation_.now().robot * Vector2d(-0.5, 0.0);
+  return {.forward_velocity = is_free_way(behind, true) ? -0.2 : 0.0, .turn_velocity = 0.0};
+}
+
 DriveCommand ScriptedDriver::command(double time) {
   if (is_done_ || time < pause_until_) return {};
+  if (time < retreat_until_) return back_up();
   if (asked_ >= 0.0 && time < asked_ + kDecideEvery - 1e-9) return last_;
   asked_ = time;
   last_ = {};
@@ -147,7 +156,12 @@ DriveCommand ScriptedDriver::command(double time) {
   }
   if (is_free_way(to, false)) {  // somebody is in the way
     if (wait_since_ < 0.0) wait_since_ = time;
-    if (time - wait_since_ < options_.patience) return last_;
+    const double waited = time - wait_since_;
+    if (waited < options_.patience) return last_;
+    if (waited > kStandOff * options_.patience) {
+      retreat_until_ = time + kRetreat;
+      wait_since_ = -1.0;
+    }
     return last_ = steer(way_round(to), 0.6 * speed);
   }
   // Off the path by a detour: back to it round the walls.

@@ -26,7 +26,7 @@ void visit_fields(ScriptedDriverOptions& o, Visitor&& visit) {
 
 // Follows a named path of the world as a careful operator would, who sees robot and people: slows
 // down at corners, waits for people in the way, and where they stay goes round them if there is
-// room. Looks at the simulation, not at measurements.
+// room, else backs up to let them pass. Looks at the simulation, not at measurements.
 class ScriptedDriver : public Driver {
  public:
   ScriptedDriver(const Simulation& simulation, const NamedPath& path,
@@ -44,16 +44,18 @@ class ScriptedDriver : public Driver {
   bool is_free_way(const Eigen::Vector2d& to, bool mind_people) const;
   Eigen::Vector2d way_round(const Eigen::Vector2d& to) const;
   DriveCommand steer(const Eigen::Vector2d& to, double speed) const;
+  DriveCommand back_up() const;
   double way_left() const;  // [m] to the next way-point that is a pause or the end
 
   const Simulation& simulation_;
   NamedPath path_;
   ScriptedDriverOptions options_;
-  std::size_t leg_ = 1;        // on the way to this way-point
-  double progress_ = 0.0;      // [m] along that leg
-  double pause_until_ = -1.0;  // [s]
-  double wait_since_ = -1.0;   // [s] somebody is in the way; -1: nobody
-  double asked_ = -1.0;        // [s] last decision
+  std::size_t leg_ = 1;          // on the way to this way-point
+  double progress_ = 0.0;        // [m] along that leg
+  double pause_until_ = -1.0;    // [s]
+  double wait_since_ = -1.0;     // [s] somebody is in the way; -1: nobody
+  double retreat_until_ = -1.0;  // [s]
+  double asked_ = -1.0;          // [s] last decision
   DriveCommand last_;
   bool is_done_ = false;
 };
