@@ -77,7 +77,8 @@ Eigen::Vector2d Itinerary::wish(const Eigen::Vector2d& position, double speed, d
   if (corners_.empty()) plan_way(position, radius, plan);
   if ((goal_ - position).norm() < kArrived) {
     arrive(time);
-    return Eigen::Vector2d::Zero();  // thinks for a moment
+    if (is_pausing(time)) return Eigen::Vector2d::Zero();
+    plan_way(position, radius, plan);
   }
   if ((position - anchor_).norm() > kProgress) {
     anchor_ = position;
