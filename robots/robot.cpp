@@ -83,6 +83,10 @@ double RobotFootprint::reach() const {
   return radius > 0.0 ? radius : std::hypot(length, width) / 2.0;
 }
 
+double RobotFootprint::inner_radius() const {
+  return radius > 0.0 ? radius : std::min(length, width) / 2.0;
+}
+
 LaserModel load_laser(const std::string& name_or_path) {
   const auto path = find_data_file("sensor", "robots/sensors", name_or_path);
   const ConfigNode file = load_config(path.string());

@@ -17,7 +17,8 @@ struct RobotFootprint {
   double length = 0.0;  // [m] of the box, along x
   double width = 0.0;   // [m] of the box, along y
 
-  double reach() const;  // [m] of the circle around it
+  double reach() const;         // [m] of the circle around it
+  double inner_radius() const;  // [m] of the largest circle in it
 };
 
 // A laser on the robot. Lasers keep the order of the robot's file: 0 front, 1 rear, …

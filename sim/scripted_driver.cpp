@@ -17,6 +17,7 @@ constexpr double kArrived = 0.15;      // [m]
 constexpr double kDetour = 1.5;        // [m] how far to look for a way round somebody
 constexpr double kStandOff = 4.0;      // times its patience: then it makes room by backing up ...
 constexpr double kRetreat = 7.0;       // [s] ... for so long
+constexpr double kSlowly = 0.6;        // of the speed where it is tight
 constexpr double kTurnGain = 2.0;      // [1/s]
 
 // Of a point from the straight way between two others. [m]
@@ -40,11 +41,11 @@ ScriptedDriver::ScriptedDriver(const Simulation& simulation, const NamedPath& pa
 }
 
 double ScriptedDriver::longest_time() const {
-  double seconds = 120.0;
+  double seconds = 300.0;
   for (std::size_t i = 1; i < path_.points.size(); ++i) {
     const double speed = path_.points[i].speed > 0.0 ? path_.points[i].speed : options_.speed;
     const double way = (path_.points[i].position - path_.points[i - 1].position).norm();
-    seconds += 3.0 * way / std::min(speed, simulation_.robot().drive.max_speed) + 5.0 +
+    seconds += 5.0 * way / std::min(speed, simulation_.robot().drive.max_speed) + 5.0 +
                path_.points[i].pause;
   }
   return seconds;
@@ -76,17 +77,21 @@ double ScriptedDriver::way_left() const {
   return is_stop ? (next.position - simulation_.now().robot.position()).norm() : kDetour;
 }
 
-bool ScriptedDriver::is_free_way(const Vector2d& to, bool mind_people) const {
+bool ScriptedDriver::is_free_of_walls(const Vector2d& to) const {
+  const double reach = simulation_.robot().footprint.reach();
+  return simulation_.floor_plan().is_straight_way(simulation_.now().robot.position(), to,
+                                                  reach + options_.margin);
+}
+
+bool ScriptedDriver::is_free_of_people(const Vector2d& to) const {
   const Situation& now = simulation_.now();
   const Vector2d from = now.robot.position();
   const double reach = simulation_.robot().footprint.reach();
-  if (!simulation_.floor_plan().is_straight_way(from, to, reach + options_.margin)) return false;
-  if (!mind_people) return true;
   for (const PersonView& person : now.people) {
-    const Vector2d there = person.pose.position() + 0.5 * person.velocity;
+    const Vector2d soon = person.pose.position() + 0.5 * person.velocity;
     const double keep = reach + person.radius + options_.people_margin;
     // Whoever is near already does not stop a way that leads away from him.
-    for (const Vector2d& place : {person.pose.position(), there}) {
+    for (const Vector2d& place : {person.pose.position(), soon}) {
       const double d = distance_to_way(place, from, to);
       if (d < keep && (place - from).dot(to - from) > 0.0) return false;
     }
@@ -103,7 +108,7 @@ Vector2d ScriptedDriver::way_round(const Vector2d& to) const {
     for (const double side : {-1.0, 1.0}) {  // on the right first
       const double direction = ahead + side * step * radians(10.0);
       const Vector2d there = from + kDetour * Vector2d(std::cos(direction), std::sin(direction));
-      if (is_free_way(there, true)) return there;
+      if (is_free_of_walls(there) && is_free_of_people(there)) return there;
     }
   }
   return from;
@@ -125,10 +130,15 @@ DriveCommand ScriptedDriver::steer(const Vector2d& to, double speed) const {
   return command;
 }
 
-// Straight back, as long as that is free.
+// Straight back the way it came, as long as that is free.
 DriveCommand ScriptedDriver::back_up() const {
-  const Vector2d behind = simulation_.now().robot * Vector2d(-0.5, 0.0);
-  return {.forward_velocity = is_free_way(behind, true) ? -0.2 : 0.0, .turn_velocity = 0.0};
+  const Pose2 robot = simulation_.now().robot;
+  const Vector2d behind = robot * Vector2d(-0.5, 0.0);
+  const double half_width = simulation_.robot().footprint.inner_radius();
+  const bool is_free =
+      simulation_.floor_plan().is_straight_way(robot.position(), behind, half_width + 0.03) &&
+      is_free_of_people(behind);
+  return {.forward_velocity = is_free ? -0.2 : 0.0, .turn_velocity = 0.0};
 }
 
 DriveCommand ScriptedDriver::command(double time) {
@@ -149,26 +159,32 @@ DriveCommand ScriptedDriver::command(double time) {
     return last_;
   }
 
-  const double speed = next.speed > 0.0 ? next.speed : options_.speed;
-  if (is_free_way(to, true)) {
-    wait_since_ = -1.0;
-    return last_ = steer(to, speed);
-  }
-  if (is_free_way(to, false)) {  // somebody is in the way
-    if (wait_since_ < 0.0) wait_since_ = time;
-    const double waited = time - wait_since_;
-    if (waited < options_.patience) return last_;
-    if (waited > kStandOff * options_.patience) {
-      retreat_until_ = time + kRetreat;
-      wait_since_ = -1.0;
-    }
-    return last_ = steer(way_round(to), 0.6 * speed);
-  }
   // Off the path by a detour: back to it round the walls.
-  const double reach = simulation_.robot().footprint.reach();
-  const auto way = simulation_.floor_plan().way(robot, to, reach + 0.5 * options_.margin);
-  const Vector2d corner = way ? (*way)[1] : to;
-  return last_ = steer(corner, 0.6 * speed);
+  double speed = next.speed > 0.0 ? next.speed : options_.speed;
+  Vector2d aim = to;
+  if (!is_free_of_walls(to)) {
+    const double reach = simulation_.robot().footprint.reach();
+    const auto way = simulation_.floor_plan().way(robot, to, reach + 0.5 * options_.margin);
+    if (way) aim = (*way)[1];
+    speed *= kSlowly;
+  }
+  if (is_free_of_people(aim)) {
+    wait_since_ = -1.0;
+    return last_ = steer(aim, speed);
+  }
+  return last_ = give_way(aim, time, speed);
+}
+
+// Somebody is in the way: waits, then goes round, then makes room.
+DriveCommand ScriptedDriver::give_way(const Vector2d& aim, double time, double speed) {
+  if (wait_since_ < 0.0) wait_since_ = time;
+  const double waited = time - wait_since_;
+  if (waited < options_.patience) return {};
+  if (waited > kStandOff * options_.patience) {
+    retreat_until_ = time + kRetreat;
+    wait_since_ = -1.0;
+  }
+  return steer(way_round(aim), kSlowly * speed);
 }
 
 }  // namespace mapbed

@@ -41,9 +41,11 @@ class ScriptedDriver : public Driver {
  private:
   // The point to steer for, on the path `look_ahead` further than the robot has come.
   Eigen::Vector2d target();
-  bool is_free_way(const Eigen::Vector2d& to, bool mind_people) const;
+  bool is_free_of_walls(const Eigen::Vector2d& to) const;
+  bool is_free_of_people(const Eigen::Vector2d& to) const;
   Eigen::Vector2d way_round(const Eigen::Vector2d& to) const;
   DriveCommand steer(const Eigen::Vector2d& to, double speed) const;
+  DriveCommand give_way(const Eigen::Vector2d& aim, double time, double speed);
   DriveCommand back_up() const;
   double way_left() const;  // [m] to the next way-point that is a pause or the end
 

@@ -24,15 +24,11 @@ constexpr double kHeadHeight = 1.9;      // [m] people walk under what is higher
 constexpr double kLeafThickness = 0.04;  // [m]
 constexpr double kHistory = 0.2;         // [s]
 
-double inner_radius(const RobotFootprint& f) {
-  return f.radius > 0.0 ? f.radius : std::min(f.length, f.width) / 2.0;
-}
-
 void check_start(const World& world, const Robot& robot, const Pose2& start) {
   for (const Footprint& f : footprints(world, kOverTheFloor, robot.height)) {
     const Entity& entity = world.entities[static_cast<std::size_t>(f.entity)];
     if (entity.kind == EntityKind::floor || entity.kind == EntityKind::door) continue;
-    if (distance_to(f, start.position()) >= inner_radius(robot.footprint)) continue;
+    if (distance_to(f, start.position()) >= robot.footprint.inner_radius()) continue;
     throw InputError(fmt::format(
         "robot '{}' starts inside an obstacle: '{}' of world '{}' stands at ({:.2f} m, {:.2f} m); "
         "start it elsewhere",
