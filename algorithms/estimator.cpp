@@ -1,6 +1,7 @@
 #include "algorithms/estimator.h"
 
 #include "algorithms/odometry_estimator.h"
+#include "algorithms/scan_matching/incremental_matcher.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
 
@@ -8,22 +9,22 @@ namespace mapbed {
 namespace {
 
 template <class Options>
-Options options_from(const Settings& settings, const std::string& name) {
-  Options options;
+Options options_from(Options options, const Settings& settings, const std::string& name) {
   apply(settings, options_of(options), name);
   return options;
 }
 
 // A method whose class takes its options, and its own stream of chance where it needs one.
 template <class Class, class Options>
-Method method(const std::string& name, const std::string& about) {
+Method method(const std::string& name, const std::string& about, const Options& defaults = {}) {
   return {name, about,
-          [name](const Settings& settings) {
-            auto options = options_from<Options>(settings, name);
+          [name, defaults](const Settings& settings) {
+            auto options = options_from(defaults, settings, name);
             return to_yaml(options_of(options));
           },
-          [name](const Settings& settings, [[maybe_unused]] Rng rng) -> std::unique_ptr<Estimator> {
-            const auto options = options_from<Options>(settings, name);
+          [name, defaults](const Settings& settings,
+                           [[maybe_unused]] Rng rng) -> std::unique_ptr<Estimator> {
+            const auto options = options_from(defaults, settings, name);
             if constexpr (std::is_constructible_v<Class, Options, Rng>) {
               return std::make_unique<Class>(options, rng);
             } else {
@@ -37,6 +38,13 @@ Method method(const std::string& name, const std::string& about) {
 const std::vector<Method>& methods() {
   static const std::vector<Method> table{
       method<OdometryEstimator, OdometryOptions>("odometry", "dead reckoning alone, the baseline"),
+      method<IncrementalMatcher, IncrementalMatcherOptions>(
+          "scan_matching", "incremental scan matching by hill climbing, section 2.3"),
+      method<IncrementalMatcher, IncrementalMatcherOptions>(
+          "correlative", "incremental scan matching by correlative search before each climb",
+          {.alignment = Alignment::correlative}),
+      method<IncrementalMatcher, IncrementalMatcherOptions>(
+          "icp", "incremental scan matching by point-to-line ICP", {.alignment = Alignment::icp}),
   };
   return table;
 }

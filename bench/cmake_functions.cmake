@@ -38,7 +38,7 @@ endmacro()
 add_library(mapbed_flags INTERFACE)
 # Contraction off and no -march=native: results must not depend on the processor.
 target_compile_options(mapbed_flags INTERFACE
-  -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off
+  -Wall -Wextra -Wconversion -Wshadow -Wno-missing-field-initializers -ffp-contract=off
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # g++ 12 sees -Wrestrict in std::string
   $<$<CXX_COMPILER_ID:Clang>:-Wno-string-conversion>  # CHECK(!"why")
   $<$<BOOL:${MAPBED_WERROR}>:-Werror>)

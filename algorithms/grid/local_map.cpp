@@ -1,0 +1,79 @@
+#include "algorithms/grid/local_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+
+bool is_far_enough(const Pose2& integrated, const Pose2& pose, const LocalMapOptions& options) {
+  return distance(integrated, pose) >= options.min_distance ||
+         std::abs(angle_difference(integrated.theta, pose.theta)) >= options.min_turn;
+}
+
+std::vector<std::size_t> select_local_scans(const std::vector<Pose2>& poses,
+                                            const LocalMapOptions& options) {
+  CHECK(options.max_scans > 0 && options.max_history > 0);
+  std::vector<std::size_t> selected;
+  if (poses.empty()) return selected;
+  const std::size_t t = poses.size();  // the scan to be matched; the newest past one is t - 1
+  selected.push_back(t - 1);
+  for (std::size_t i = t - 1; i-- > 0;) {
+    const bool enough = selected.size() >= static_cast<std::size_t>(options.max_scans) ||
+                        t - i >= static_cast<std::size_t>(options.max_history);
+    if (enough) break;
+    if (is_far_enough(poses[selected.back()], poses[i], options)) selected.push_back(i);
+  }
+  return selected;
+}
+
+Eigen::Vector2d tangent_of(const Eigen::Vector2d& mean_doubled) {
+  constexpr double kMinAgreement = 0.5;
+  const double agreement = mean_doubled.norm();
+  if (agreement < kMinAgreement) return Eigen::Vector2d::Zero();
+  const double c = mean_doubled.x() / agreement;
+  return {std::sqrt(0.5 * (1.0 + c)),
+          std::copysign(std::sqrt(std::max(0.0, 0.5 * (1.0 - c))), mean_doubled.y())};
+}
+
+std::vector<SurfacePoint> transformed(const std::vector<SurfacePoint>& points_in_b,
+                                      const Pose2& a_from_b) {
+  const double c = std::cos(a_from_b.theta), s = std::sin(a_from_b.theta);
+  const double c2 = c * c - s * s, s2 = 2.0 * c * s;
+  std::vector<SurfacePoint> points_in_a;
+  points_in_a.reserve(points_in_b.size());
+  for (const SurfacePoint& point : points_in_b) {
+    const Eigen::Vector2d& p = point.position;
+    const Eigen::Vector2d& d = point.doubled;
+    points_in_a.push_back({{a_from_b.x + c * p.x() - s * p.y(), a_from_b.y + s * p.x() + c * p.y()},
+                           {c2 * d.x() - s2 * d.y(), s2 * d.x() + c2 * d.y()}});
+  }
+  return points_in_a;
+}
+
+void SurfaceMeans::add(const std::vector<SurfacePoint>& points_in_map) {
+  for (const SurfacePoint& point : points_in_map) {
+    const CellIndex index = grid_.cell_of(point.position);
+    Cell& cell = grid_.at(index);
+    if (cell.count == 0) hit_cells_.push_back(index);
+    ++cell.count;
+    cell.mean.position += (point.position - cell.mean.position) / cell.count;
+    cell.mean.doubled += (point.doubled - cell.mean.doubled) / cell.count;
+  }
+}
+
+void SurfaceMeans::clear() {
+  for (const CellIndex index : hit_cells_) grid_.at(index) = {};
+  hit_cells_.clear();
+}
+
+std::vector<SurfacePoint> SurfaceMeans::means() const {
+  std::vector<SurfacePoint> result;
+  result.reserve(hit_cells_.size());
+  for (const CellIndex index : hit_cells_) result.push_back(grid_[index].mean);
+  return result;
+}
+
+}  // namespace mapbed

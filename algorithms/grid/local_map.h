@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "algorithms/grid/tiled_grid.h"
+#include "core/config/option.h"
+#include "core/geometry/pose2.h"
+
+namespace mapbed {
+
+struct LocalMapOptions {
+  int max_scans = 100;        // alpha of Algorithm 1
+  int max_history = 100'000;  // beta: how many scans back to look at most
+  double min_distance = 0.5;  // [m] gamma, between integrated scans
+  double min_turn = 0.5;  // [rad] a scan turned by more is integrated too: it shows other things
+  double max_gap = 0.2;   // [m] neighbouring end points that are nearer belong to one surface
+};
+
+template <class Visitor>
+void visit_fields(LocalMapOptions& o, Visitor&& visit) {
+  visit("max_scans", o.max_scans, at_least(1),
+        "scans in the local map at most (alpha of Algorithm 1)");
+  visit("max_history", o.max_history, at_least(1),
+        "scans to look back at most (beta of Algorithm 1)");
+  visit("min_distance", o.min_distance, Unit::meter, kNotNegative,
+        "between integrated scans (gamma of Algorithm 1)");
+  visit("min_turn", o.min_turn, Unit::radian, kNotNegative,
+        "between integrated scans that are closer than that");
+  visit("max_gap", o.max_gap, Unit::meter, kNotNegative,
+        "neighbouring end points that are nearer belong to one surface");
+}
+
+// Algorithm 1, section 2.2.4: which past scans make the local map. Walks back from the newest pose,
+// which is always taken, and takes a scan that is at least min_distance (or min_turn) away from the
+// one taken before it. Newest first.
+std::vector<std::size_t> select_local_scans(const std::vector<Pose2>& poses,
+                                            const LocalMapOptions& options);
+
+// Whether a scan at `pose` is far enough from the one integrated before it.
+bool is_far_enough(const Pose2& integrated, const Pose2& pose, const LocalMapOptions& options);
+
+// A point of a surface that a scan saw. The line through it and its neighbours is kept by its
+// direction at twice the angle, (cos 2a, sin 2a), so that directions can be averaged: the mean's
+// length tells how well they agree. Zero: no line is known.
+struct SurfacePoint {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // [m]
+  Eigen::Vector2d doubled = Eigen::Vector2d::Zero();
+};
+
+// The unit vector along the line of an averaged direction; zero where the directions do not agree.
+Eigen::Vector2d tangent_of(const Eigen::Vector2d& mean_doubled);
+
+std::vector<SurfacePoint> transformed(const std::vector<SurfacePoint>& points_in_b,
+                                      const Pose2& a_from_b);
+
+// The surfaces of a local map, one point for each cell that was hit: the mean of the points that
+// fell in. Averaging takes out the noise of single scans and makes the map independent of how often
+// a surface was seen, (2.17).
+class SurfaceMeans {
+ public:
+  explicit SurfaceMeans(double resolution) : grid_(resolution) {}
+
+  void add(const std::vector<SurfacePoint>& points_in_map);
+  void clear();  // in time of the cells hit, keeping the memory
+
+  std::vector<SurfacePoint> means() const;  // in the order in which the cells were first hit
+
+ private:
+  struct Cell {
+    SurfacePoint mean;
+    int count = 0;
+  };
+  TiledGrid<Cell> grid_;
+  std::vector<CellIndex> hit_cells_;
+};
+
+}  // namespace mapbed

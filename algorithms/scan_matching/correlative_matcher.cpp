@@ -1,0 +1,295 @@
+#include "algorithms/scan_matching/correlative_matcher.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "core/check.h"
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+namespace {
+
+constexpr int kMaxLevels = 8;     // blocks of up to 128 x 128 shifts
+constexpr int kBlocksAcross = 5;  // of the coarsest level, about
+
+// The lattice that is searched: turns about the prediction, then shifts by whole cells.
+struct Lattice {
+  int shifts = 0;  // -shifts … shifts [cells]
+  int turns = 0;   // -turns … turns
+  double turn_step = 0.0;
+};
+
+Lattice lattice_of(const FieldPoints& points, double resolution,
+                   const CorrelativeMatcherOptions& options) {
+  Lattice lattice;
+  lattice.shifts = static_cast<int>(std::ceil(options.window / resolution - 1e-9));
+  lattice.turn_step = options.turn_step;
+  if (lattice.turn_step <= 0.0) {
+    std::vector<float> distances(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      distances[i] = std::hypot(points.x[i], points.y[i]);
+    }
+    const auto far = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 9 / 10);
+    std::nth_element(distances.begin(), far, distances.end());
+    lattice.turn_step = 1.0 / std::max(1.0, double{*far});
+  }
+  lattice.turns = static_cast<int>(std::ceil(options.turn_window / lattice.turn_step - 1e-9));
+  return lattice;
+}
+
+Pose2 pose_on(const Lattice& lattice, const Pose2& center, double resolution, int turn, int x,
+              int y) {
+  return {center.x + x * resolution, center.y + y * resolution,
+          normalized_angle(center.theta + turn * lattice.turn_step)};
+}
+
+// The prior's upper bound over all poses with a heading and a position in a rectangle: the headings
+// alone, the best position given, plus the distance from it to the rectangle in the flattest
+// direction.
+class PriorBound {
+ public:
+  explicit PriorBound(const PosePrior& prior) : prior_(prior) {
+    const Eigen::Matrix2d position = prior.information.topLeftCorner<2, 2>();
+    const Eigen::Vector2d mixed = prior.information.topRightCorner<2, 1>();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(position);
+    flattest_ = std::max(0.0, solver.eigenvalues()[0]);
+    if (flattest_ <= 0.0) return;
+    offset_per_radian_ = -position.inverse() * mixed;
+    heading_ = std::max(0.0, prior.information(2, 2) + mixed.dot(offset_per_radian_));
+  }
+
+  double over(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double theta) const {
+    if (flattest_ <= 0.0) return 0.0;
+    const double error = angle_difference(prior_.mean.theta, theta);
+    const Eigen::Vector2d best = prior_.mean * (offset_per_radian_ * error).eval();
+    const Eigen::Vector2d outside =
+        (low - best).cwiseMax(best - high).cwiseMax(Eigen::Vector2d::Zero());
+    return -0.5 * (heading_ * error * error + flattest_ * outside.squaredNorm());
+  }
+
+ private:
+  PosePrior prior_;
+  double flattest_ = 0.0;
+  double heading_ = 0.0;
+  Eigen::Vector2d offset_per_radian_ = Eigen::Vector2d::Zero();
+};
+
+// A square of 2^level x 2^level shifts at one turn.
+struct Block {
+  double bound;
+  int turn, x, y;
+};
+
+class CorrelativeSearch {
+ public:
+  CorrelativeSearch(const FieldPoints& points, const LikelihoodField& map,
+                    const BoundPyramid& pyramid, const PosePrior& prediction,
+                    const Lattice& lattice)
+      : points_(points),
+        map_(map),
+        pyramid_(pyramid),
+        prediction_(prediction),
+        prior_bound_(prediction),
+        lattice_(lattice),
+        floor_(double{map.floor()} * static_cast<double>(points.size())) {
+    for (int turn = -lattice.turns; turn <= lattice.turns; ++turn) rotate(turn);
+  }
+
+  // The best pose of the lattice.
+  Pose2 search() {
+    std::vector<Block> blocks = coarsest_blocks();
+    std::sort(blocks.begin(), blocks.end(),
+              [](const Block& a, const Block& b) { return a.bound > b.bound; });
+    const int level = static_cast<int>(pyramid_.levels.size()) - 1;
+    for (const Block& block : blocks) {
+      if (block.bound <= best_) break;
+      branch(block, level);
+    }
+    return best_pose_;
+  }
+
+ private:
+  // Where the points fall, turned and unshifted: the cells whose centres lie left of and below
+  // them, as indices into the pyramid's levels. Points that no shift brings into the map are left
+  // out.
+  void rotate(int turn) {
+    const Pose2 pose = pose_on(lattice_, prediction_.mean, map_.resolution(), turn, 0, 0);
+    const double c = std::cos(pose.theta), s = std::sin(pose.theta);
+    const double tx = pose.x / map_.resolution(), ty = pose.y / map_.resolution();
+    const int reach = lattice_.shifts + 1;
+    std::vector<std::int32_t> cells;
+    cells.reserve(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const double px = double{points_.x[i]}, py = double{points_.y[i]};
+      const int x = static_cast<int>(std::floor(c * px - s * py + tx));
+      const int y = static_cast<int>(std::floor(s * px + c * py + ty));
+      const bool reachable = x >= pyramid_.box.min.x - reach && x <= pyramid_.box.max.x + reach &&
+                             y >= pyramid_.box.min.y - reach && y <= pyramid_.box.max.y + reach;
+      if (reachable) cells.push_back((y - pyramid_.min_y) * pyramid_.width + (x - pyramid_.min_x));
+    }
+    rotated_.push_back(std::move(cells));
+  }
+
+  std::vector<Block> coarsest_blocks() const {
+    const int level = static_cast<int>(pyramid_.levels.size()) - 1;
+    std::vector<Block> blocks;
+    for (int turn = -lattice_.turns; turn <= lattice_.turns; ++turn) {
+      for (int y = -lattice_.shifts; y <= lattice_.shifts; y += 1 << level) {
+        for (int x = -lattice_.shifts; x <= lattice_.shifts; x += 1 << level) {
+          blocks.push_back({bound_of(turn, x, y, level), turn, x, y});
+        }
+      }
+    }
+    return blocks;
+  }
+
+  double bound_of(int turn, int x, int y, int level) const {
+    const std::vector<std::int32_t>& cells =
+        rotated_[static_cast<std::size_t>(turn + lattice_.turns)];
+    const std::uint8_t* bounds = pyramid_.levels[static_cast<std::size_t>(level)].data() +
+                                 std::ptrdiff_t{y} * pyramid_.width + x;
+    int sum = 0;
+    for (const std::int32_t cell : cells) sum += bounds[cell];
+    const Pose2 low = pose_on(lattice_, prediction_.mean, map_.resolution(), turn, x, y);
+    const double side = ((1 << level) - 1) * map_.resolution();
+    return floor_ + sum * pyramid_.step +
+           prior_bound_.over(low.position(), low.position() + Eigen::Vector2d(side, side),
+                             low.theta);
+  }
+
+  void branch(const Block& block, int level) {
+    if (level == 0) {
+      const Pose2 pose =
+          pose_on(lattice_, prediction_.mean, map_.resolution(), block.turn, block.x, block.y);
+      const double value = map_.sum_log_at(points_, pose) + prediction_.log_at(pose);
+      if (value <= best_) return;
+      best_ = value;
+      best_pose_ = pose;
+      return;
+    }
+    const int half = 1 << (level - 1);
+    std::array<Block, 4> children;
+    std::size_t count = 0;
+    for (const int y : {block.y, block.y + half}) {
+      for (const int x : {block.x, block.x + half}) {
+        if (x > lattice_.shifts || y > lattice_.shifts) continue;
+        children[count++] = {bound_of(block.turn, x, y, level - 1), block.turn, x, y};
+      }
+    }
+    for (std::size_t i = 1; i < count; ++i) {  // best bound first
+      for (std::size_t j = i; j > 0 && children[j].bound > children[j - 1].bound; --j) {
+        std::swap(children[j], children[j - 1]);
+      }
+    }
+    for (std::size_t i = 0; i < count && children[i].bound > best_; ++i) {
+      branch(children[i], level - 1);
+    }
+  }
+
+  const FieldPoints& points_;
+  const LikelihoodField& map_;
+  const BoundPyramid& pyramid_;
+  const PosePrior& prediction_;
+  PriorBound prior_bound_;
+  Lattice lattice_;
+  double floor_;
+  std::vector<std::vector<std::int32_t>> rotated_;  // by turn
+  double best_ = -1e300;
+  Pose2 best_pose_;
+};
+
+ScanMatch match_at(const Pose2& pose, const FieldPoints& points, const LikelihoodField& map,
+                   const PosePrior& prediction, double min_explained) {
+  ScanMatch match{.map_from_robot = pose, .points_used = static_cast<int>(points.size())};
+  match.log_likelihood = map.sum_log_at(points, pose);
+  match.log_posterior = match.log_likelihood + prediction.log_at(pose);
+  match.explained = 1.0 - match.log_likelihood / (double{map.floor()} * match.points_used);
+  match.trustworthy = match.explained >= min_explained;
+  return match;
+}
+
+// The larger of a cell and those `reach` cells right, above and both. The margin keeps rows apart.
+std::vector<std::uint8_t> widened(const std::vector<std::uint8_t>& fine, int width, int reach) {
+  const auto right = static_cast<std::size_t>(reach);
+  const auto above = right * static_cast<std::size_t>(width);
+  std::vector<std::uint8_t> wide = fine;
+  for (std::size_t i = 0; i + right < wide.size(); ++i)
+    wide[i] = std::max(wide[i], wide[i + right]);
+  for (std::size_t i = 0; i + above < wide.size(); ++i)
+    wide[i] = std::max(wide[i], wide[i + above]);
+  return wide;
+}
+
+}  // namespace
+
+BoundPyramid make_bound_pyramid(const LikelihoodField& field, double window) {
+  BoundPyramid pyramid;
+  pyramid.step = -double{field.floor()} / 255.0;
+  pyramid.max_shifts = static_cast<int>(std::ceil(window / field.resolution() - 1e-9));
+  int level_count = 1;
+  while (level_count < kMaxLevels &&
+         2 * pyramid.max_shifts + 1 > kBlocksAcross * (1 << (level_count - 1))) {
+    ++level_count;
+  }
+  // A point is at most max_shifts + 1 outside the box; shifting and widening move it on.
+  const int margin = 2 * (pyramid.max_shifts + 1) + 2 * (1 << level_count);
+  const CellBox box = field.box();
+  pyramid.box = box;
+  if (box.empty()) pyramid.box = CellBox{{0, 0}, {0, 0}};
+  pyramid.min_x = pyramid.box.min.x - margin;
+  pyramid.min_y = pyramid.box.min.y - margin;
+  pyramid.width = pyramid.box.width() + 2 * margin;
+  pyramid.height = pyramid.box.height() + 2 * margin;
+
+  std::vector<std::uint8_t> cells(
+      static_cast<std::size_t>(pyramid.width) * static_cast<std::size_t>(pyramid.height), 0);
+  for (int y = box.min.y; y <= box.max.y; ++y) {
+    std::uint8_t* row =
+        cells.data() + std::ptrdiff_t{y - pyramid.min_y} * pyramid.width - pyramid.min_x;
+    for (int x = box.min.x; x <= box.max.x; ++x) {
+      const double above = double{field.highest_in({x, y})} - double{field.floor()};
+      row[x] = static_cast<std::uint8_t>(std::min(255.0, std::ceil(above / pyramid.step - 1e-9)));
+    }
+  }
+  pyramid.levels.push_back(std::move(cells));
+  for (int h = 0; h + 1 < level_count; ++h) {
+    pyramid.levels.push_back(widened(pyramid.levels.back(), pyramid.width, 1 << h));
+  }
+  return pyramid;
+}
+
+ScanMatch match_correlative(const FieldPoints& points, const LikelihoodField& map,
+                            const BoundPyramid& pyramid, const PosePrior& prediction,
+                            const CorrelativeMatcherOptions& options) {
+  CHECK(options.window >= 0.0 && options.turn_window >= 0.0 && !pyramid.levels.empty());
+  if (points.size() == 0) return {.map_from_robot = prediction.mean};
+  const Lattice lattice = lattice_of(points, map.resolution(), options);
+  CHECK(lattice.shifts <= pyramid.max_shifts);
+  const Pose2 best = CorrelativeSearch(points, map, pyramid, prediction, lattice).search();
+  return match_at(best, points, map, prediction, options.min_explained);
+}
+
+ScanMatch match_exhaustive(const FieldPoints& points, const LikelihoodField& map,
+                           const PosePrior& prediction, const CorrelativeMatcherOptions& options) {
+  if (points.size() == 0) return {.map_from_robot = prediction.mean};
+  const Lattice lattice = lattice_of(points, map.resolution(), options);
+  Pose2 best;
+  double best_value = -1e300;
+  for (int turn = -lattice.turns; turn <= lattice.turns; ++turn) {
+    for (int y = -lattice.shifts; y <= lattice.shifts; ++y) {
+      for (int x = -lattice.shifts; x <= lattice.shifts; ++x) {
+        const Pose2 pose = pose_on(lattice, prediction.mean, map.resolution(), turn, x, y);
+        const double value = map.sum_log_at(points, pose) + prediction.log_at(pose);
+        if (value <= best_value) continue;
+        best_value = value;
+        best = pose;
+      }
+    }
+  }
+  return match_at(best, points, map, prediction, options.min_explained);
+}
+
+}  // namespace mapbed

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "algorithms/grid/likelihood_field.h"
+#include "algorithms/scan_matching/scan_matcher.h"
+#include "core/config/option.h"
+#include "core/geometry/pose_prior.h"
+
+namespace mapbed {
+
+// Correlative scan matching (Olson 2009) with branch and bound over translations (Hess et al.
+// 2016): the best pose on a lattice of turns and of shifts by whole cells about the prediction, by
+// the score that hill climbing uses (2.19). It is the global optimum on that lattice; climb from it
+// for the rest.
+struct CorrelativeMatcherOptions {
+  double window = 0.6;         // [m] shifts of up to this, along both axes of the map
+  double turn_window = 0.6;    // [rad] turns of up to this
+  double turn_step = 0.0;      // [rad] 0: the far points of the scan move by about one cell
+  double min_explained = 0.4;  // a match that explains less of the scan is not trusted
+};
+
+template <class Visitor>
+void visit_fields(CorrelativeMatcherOptions& o, Visitor&& visit) {
+  visit("window", o.window, Unit::meter, kNotNegative,
+        "shifts of up to this, along both axes of the map");
+  visit("turn_window", o.turn_window, Unit::radian, kNotNegative, "turns of up to this");
+  visit("turn_step", o.turn_step, Unit::radian, kNotNegative,
+        "between tried turns; 0: far points move by one cell");
+  visit("min_explained", o.min_explained, kShare,
+        "share of the scan that a trusted match explains");
+}
+
+// A field prepared for bounding. Level h holds, for each cell, an upper bound of what a point can
+// score there, shifted by 0 … 2^h - 1 cells right and up: one byte, in steps of `step` above the
+// field's floor. Dense over the field's box and a margin wide enough for every shift that is
+// searched.
+struct BoundPyramid {
+  double step = 0.0;
+  int max_shifts = 0;                             // [cells]
+  int min_x = 0, min_y = 0;                       // [cells] of the arrays below
+  int width = 0, height = 0;                      // [cells]
+  CellBox box;                                    // of the field, without the margin
+  std::vector<std::vector<std::uint8_t>> levels;  // level 0 first, each row by row
+};
+
+// For shifts of up to `window` [m].
+BoundPyramid make_bound_pyramid(const LikelihoodField& field, double window);
+
+// `points` as made by to_field_points(…, map.resolution()); `pyramid` of the same map.
+ScanMatch match_correlative(const FieldPoints& points, const LikelihoodField& map,
+                            const BoundPyramid& pyramid, const PosePrior& prediction,
+                            const CorrelativeMatcherOptions& options = {});
+
+// The plain version: every pose of the lattice. For tests.
+ScanMatch match_exhaustive(const FieldPoints& points, const LikelihoodField& map,
+                           const PosePrior& prediction,
+                           const CorrelativeMatcherOptions& options = {});
+
+}  // namespace mapbed

@@ -1,0 +1,87 @@
+#include "algorithms/scan_matching/correlative_matcher.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "algorithms/scan_matching/hit_points.h"
+#include "core/testing/is_near.h"
+#include "core/testing/test_room.h"
+
+namespace mapbed {
+namespace {
+
+class FindsTheOptimumOfExhaustiveSearch : public ::testing::TestWithParam<int> {};
+
+TEST_P(FindsTheOptimumOfExhaustiveSearch, WithAndWithoutAPrior) {
+  Rng rng(static_cast<std::uint64_t>(GetParam()));
+  TestRoom room = rectangular_room(6.0, 4.0);
+  room.add_box({rng.uniform(-2, 2), rng.uniform(-1, 1)}, 0.8, 0.5, rng.uniform(0, 3));
+  const Pose2 truth{rng.uniform(-2, 2), rng.uniform(-1.2, 1.2), rng.uniform(-3, 3)};
+  LikelihoodField field;
+  const LaserScan past = with_range_noise(scan_of(room, truth * Pose2{-0.3, 0.1, 0.2}), 0.02, rng);
+  field.add(transformed(surface_points(past, 30.0, 0.2, 0.05), truth * Pose2{-0.3, 0.1, 0.2}));
+  const LaserScan scan = with_range_noise(scan_of(room, truth), 0.02, rng);
+  const FieldPoints points =
+      to_field_points(hit_points(scan, {.min_spacing = 0.2}), field.resolution());
+  const Pose2 guess =
+      truth * Pose2{rng.uniform(-0.4, 0.4), rng.uniform(-0.4, 0.4), rng.uniform(-0.3, 0.3)};
+  const CorrelativeMatcherOptions options{.window = 0.6, .turn_window = 0.4, .turn_step = 0.04};
+
+  for (const PosePrior& prior :
+       {PosePrior{.mean = guess}, independent_prior(guess, 0.1, 0.3, 0.1)}) {
+    const ScanMatch plain = match_exhaustive(points, field, prior, options);
+    const ScanMatch fast =
+        match_correlative(points, field, make_bound_pyramid(field, options.window), prior, options);
+    EXPECT_NEAR(fast.log_posterior, plain.log_posterior, 1e-6);
+    EXPECT_THAT(fast.map_from_robot, IsNear(plain.map_from_robot, Tolerance{1e-9, 1e-9}));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(CorrelativeMatcher, FindsTheOptimumOfExhaustiveSearch,
+                         ::testing::Range(0, 8));
+
+TEST(BoundPyramid, NeverLiesBelowWhatItBounds) {
+  LikelihoodField field;
+  Rng rng(9);
+  for (int i = 0; i < 60; ++i) field.add(SurfacePoint{{rng.uniform(-1, 1), rng.uniform(-1, 1)}});
+  const BoundPyramid pyramid = make_bound_pyramid(field, 0.5);
+  for (std::size_t level = 0; level < pyramid.levels.size(); ++level) {
+    for (int i = 0; i < 500; ++i) {
+      const Eigen::Vector2d p(rng.uniform(-1.2, 1.2), rng.uniform(-1.2, 1.2));
+      const auto reach = static_cast<std::uint64_t>(1) << level;
+      const Eigen::Vector2d shifted =
+          p + 0.05 * Eigen::Vector2d(double(rng.index(reach)), double(rng.index(reach)));
+      const int x = static_cast<int>(std::floor(p.x() / 0.05)) - pyramid.min_x;
+      const int y = static_cast<int>(std::floor(p.y() / 0.05)) - pyramid.min_y;
+      const int bound = pyramid.levels[level][static_cast<std::size_t>(y * pyramid.width + x)];
+      EXPECT_GE(double{field.floor()} + bound * pyramid.step, field.log_at(shifted) - 1e-5);
+    }
+  }
+}
+
+TEST(CorrelativeMatcher, FindsAStartErrorThatHillClimbingDoesNot) {
+  const TestRoom room = example_place();
+  const Pose2 truth{2.0, 2.0, 0.3};
+  LikelihoodField field;
+  field.add(transformed(surface_points(scan_of(room, truth), 30.0, 0.2, 0.05), truth));
+  const FieldPoints points =
+      to_field_points(hit_points(scan_of(room, truth), {}), field.resolution());
+  const PosePrior far{.mean = truth * Pose2{1.5, -1.2, 0.5}};
+  const CorrelativeMatcherOptions options{.window = 2.5, .turn_window = 0.8};
+  const ScanMatch found =
+      match_correlative(points, field, make_bound_pyramid(field, 2.5), far, options);
+  EXPECT_THAT(found.map_from_robot, IsNear(truth, Tolerance{0.06, 0.02}));
+  EXPECT_GT(distance(match_scan(points, field, far).map_from_robot, truth), 0.2);
+}
+
+TEST(CorrelativeMatcher, KeepsThePredictionWhenNothingWasHit) {
+  const LikelihoodField empty;
+  const Pose2 guess{1, 2, 0.5};
+  const ScanMatch match = match_correlative({}, empty, make_bound_pyramid(empty, 0.5),
+                                            PosePrior{.mean = guess}, {.window = 0.5});
+  EXPECT_EQ(match.map_from_robot, guess);
+  EXPECT_FALSE(match.trustworthy);
+}
+
+}  // namespace
+}  // namespace mapbed

@@ -1,0 +1,125 @@
+#include "algorithms/scan_matching/incremental_matcher.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+namespace {
+
+constexpr std::size_t kMinPoints = 10;  // fewer say nothing about a pose
+
+}  // namespace
+
+IncrementalMatcher::IncrementalMatcher(const IncrementalMatcherOptions& options)
+    : options_(options), means_(options.field.resolution), field_(options.field) {}
+
+void IncrementalMatcher::add(const Measurement& measurement) {
+  if (const auto* odometry = std::get_if<Odometry>(&measurement)) odometry_.add(*odometry);
+  if (const auto* scan = std::get_if<LaserScan>(&measurement)) add_scan(*scan);
+}
+
+Estimate IncrementalMatcher::estimate() const {
+  return {.trajectory = trajectory_, .untrusted_scans = untrusted_scans_, .remarks = {}};
+}
+
+void IncrementalMatcher::add_scan(const LaserScan& scan) {
+  const std::optional<Pose2> odometry =
+      options_.use_odometry ? odometry_.at(scan.time) : std::optional<Pose2>{};
+  if (!trajectory_.empty()) {
+    CHECK(scan.time >= trajectory_.back().time);
+    const bool measured = odometry && odometry_at_last_scan_;
+    const PosePrior prior =
+        measured ? predict(map_from_robot_, motion_between(*odometry_at_last_scan_, *odometry),
+                           options_.motion)
+                 : prediction(scan.time);
+    last_match_ = aligned(hit_points(scan, options_.points), prior, !measured);
+    map_from_robot_ = last_match_.trustworthy ? last_match_.map_from_robot : prior.mean;
+    if (!last_match_.trustworthy) ++untrusted_scans_;
+  }
+  odometry_at_last_scan_ = odometry;
+  trajectory_.push_back({scan.time, map_from_robot_});
+  remember(scan);
+}
+
+// Where the robot is if it went on as between the last two scans.
+PosePrior IncrementalMatcher::prediction(double time) const {
+  const StampedPose& newest = trajectory_.back();
+  const double seconds = time - newest.time;
+  Pose2 motion;
+  if (trajectory_.size() >= 2) {
+    const StampedPose& before = trajectory_[trajectory_.size() - 2];
+    const double step = newest.time - before.time;
+    if (step > 0.0 && seconds <= 2.0 * step) {
+      motion = interpolate({}, motion_between(before.pose, newest.pose), seconds / step);
+    }
+  }
+  return predict_blindly(newest.pose, motion, seconds, options_.motion);
+}
+
+ScanMatch IncrementalMatcher::aligned(const std::vector<Eigen::Vector2d>& points,
+                                      const PosePrior& prior, bool blind) {
+  if (points.size() < kMinPoints) return {.map_from_robot = prior.mean};
+  if (options_.alignment == Alignment::icp) {
+    if (!icp_map_) icp_map_.emplace(means_.means());
+    return match_icp(points, *icp_map_, prior, options_.icp);
+  }
+  const FieldPoints in_cells = to_field_points(points, field_.resolution());
+  ScanMatch match;
+  if (options_.alignment == Alignment::hill_climbing) {
+    match = match_scan(in_cells, field_, prior, options_.climb);
+    if (match.trustworthy && !blind) return match;
+  }
+  const Pose2 start =
+      match_correlative(in_cells, field_, pyramid(), prior, options_.search).map_from_robot;
+  const ScanMatch searched = match_scan_from(start, in_cells, field_, prior, options_.climb);
+  const bool better = match.points_used == 0 || searched.log_posterior > match.log_posterior;
+  if (better) match = searched;
+  return match.trustworthy ? match : recovered(in_cells, match);
+}
+
+// The best match of the wider search if it explains enough, else `match`.
+ScanMatch IncrementalMatcher::recovered(const FieldPoints& points, const ScanMatch& match) const {
+  const PosePrior anywhere{.mean = match.map_from_robot};
+  const BoundPyramid wide = make_bound_pyramid(field_, options_.recovery.window);
+  const ScanMatch found = match_correlative(points, field_, wide, anywhere, options_.recovery);
+  const ScanMatch refined =
+      match_scan_from(found.map_from_robot, points, field_, anywhere, options_.climb);
+  return refined.explained >= options_.recovery.min_explained ? refined : match;
+}
+
+const BoundPyramid& IncrementalMatcher::pyramid() {
+  if (!pyramid_) pyramid_ = make_bound_pyramid(field_, options_.search.window);
+  return *pyramid_;
+}
+
+// Keeps the scan for the local map where it is far enough from the one kept before, and builds the
+// local map anew. In between the map stays as it is: Algorithm 1 would only exchange its newest
+// scan.
+void IncrementalMatcher::remember(const LaserScan& scan) {
+  const bool far =
+      kept_poses_.empty() || is_far_enough(kept_poses_.back(), map_from_robot_, options_.local_map);
+  if (!far) return;
+  kept_poses_.push_back(map_from_robot_);
+  kept_points_.push_back(
+      transformed(surface_points(scan, options_.points.max_range, options_.local_map.max_gap,
+                                 field_.resolution()),
+                  map_from_robot_));
+
+  const std::vector<std::size_t> selected = select_local_scans(kept_poses_, options_.local_map);
+  const std::size_t oldest = selected.back();
+  kept_poses_.erase(kept_poses_.begin(), kept_poses_.begin() + static_cast<std::ptrdiff_t>(oldest));
+  kept_points_.erase(kept_points_.begin(),
+                     kept_points_.begin() + static_cast<std::ptrdiff_t>(oldest));
+
+  means_.clear();
+  for (const std::size_t i : selected) means_.add(kept_points_[i - oldest]);
+  field_.clear();
+  field_.add(means_.means());
+  pyramid_.reset();
+  icp_map_.reset();
+}
+
+}  // namespace mapbed

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "algorithms/estimator.h"
+#include "algorithms/grid/likelihood_field.h"
+#include "algorithms/grid/local_map.h"
+#include "algorithms/odometry_track.h"
+#include "algorithms/scan_matching/correlative_matcher.h"
+#include "algorithms/scan_matching/hit_points.h"
+#include "algorithms/scan_matching/icp_matcher.h"
+#include "algorithms/scan_matching/motion_prior.h"
+#include "algorithms/scan_matching/scan_matcher.h"
+
+namespace mapbed {
+
+// How a scan is aligned with the local map.
+enum class Alignment : int { hill_climbing, correlative, icp };
+
+struct IncrementalMatcherOptions {
+  Alignment alignment = Alignment::hill_climbing;
+  bool use_odometry = true;  // false: predict from the last motion alone, as where a log has none
+  HitPointOptions points;
+  LocalMapOptions local_map;
+  LikelihoodFieldOptions field;
+  MotionPriorOptions motion;
+  ScanMatcherOptions climb;
+  CorrelativeMatcherOptions search;
+  CorrelativeMatcherOptions recovery{.window = 1.0, .turn_window = 3.15, .min_explained = 0.65};
+  IcpMatcherOptions icp;
+};
+
+template <class Visitor>
+void visit_fields(IncrementalMatcherOptions& o, Visitor&& visit) {
+  visit("alignment", o.alignment, {"hill_climbing", "correlative", "icp"},
+        "how a scan is aligned with the local map");
+  visit("use_odometry", o.use_odometry, "false: predict from the last motion alone");
+  visit("points", o.points, "which points of a scan are matched");
+  visit("local_map", o.local_map, "which past scans are matched against");
+  visit("field", o.field, "the smoothed local map");
+  visit("motion", o.motion, "what the prediction is worth");
+  visit("climb", o.climb, "hill climbing");
+  visit("search", o.search, "correlative search");
+  visit("recovery", o.recovery,
+        "search without regard to the prediction, after an untrusted match");
+  visit("icp", o.icp, "point-to-line ICP");
+}
+
+// Incremental scan matching, section 2.3: each scan is aligned with a local map of a bounded number
+// of past scans (Algorithm 1), starting where odometry or the last motion predicts. Where hill
+// climbing starts without odometry, or ends with a match that explains too little, a correlative
+// search over a window finds the start; where that explains too little as well, a wider one that
+// takes the prediction for wrong (wheels that spun, a robot that was turned by hand). Errors add up
+// over time: loops stay open. Memory is bounded by the local map, the trajectory apart.
+class IncrementalMatcher : public Estimator {
+ public:
+  explicit IncrementalMatcher(const IncrementalMatcherOptions& options = {});
+
+  void add(const Measurement& measurement) override;
+  Pose2 pose() const override { return map_from_robot_; }
+  Estimate estimate() const override;
+
+  // Of the newest scan; its pose is pose().
+  const ScanMatch& last_match() const { return last_match_; }
+
+ private:
+  void add_scan(const LaserScan& scan);
+  PosePrior prediction(double time) const;
+  ScanMatch aligned(const std::vector<Eigen::Vector2d>& points, const PosePrior& prior, bool blind);
+  void remember(const LaserScan& scan);
+  ScanMatch recovered(const FieldPoints& points, const ScanMatch& match) const;
+  const BoundPyramid& pyramid();
+
+  IncrementalMatcherOptions options_;
+  OdometryTrack odometry_;
+  Pose2 map_from_robot_;
+  ScanMatch last_match_;
+  Trajectory trajectory_;
+  int untrusted_scans_ = 0;
+  std::optional<Pose2> odometry_at_last_scan_;
+  // The local map: past scans that were far enough from each other, oldest first.
+  std::vector<Pose2> kept_poses_;
+  std::deque<std::vector<SurfacePoint>> kept_points_;  // [m] in the map frame
+  SurfaceMeans means_;
+  LikelihoodField field_;
+  std::optional<BoundPyramid> pyramid_;  // of field_, made when first needed
+  std::optional<IcpMap> icp_map_;        // the same for ICP
+};
+
+}  // namespace mapbed

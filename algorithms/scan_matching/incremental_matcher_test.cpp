@@ -1,0 +1,102 @@
+#include "algorithms/scan_matching/incremental_matcher.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "algorithms/odometry_estimator.h"
+#include "core/testing/is_near.h"
+#include "core/testing/test_room.h"
+
+namespace mapbed {
+namespace {
+
+// A round through the ring corridor, 8 m from corner to corner.
+RecordedLog round_trip(std::uint64_t seed) {
+  DriveOptions drive;
+  drive.laser.max_range = 20.0;
+  TestRoom room = ring_corridor();
+  room.add_box({3.0, -4.3}, 0.4, 0.3);  // so that no corridor is bare
+  room.add_box({4.4, 2.0}, 0.3, 0.5);
+  room.add_box({-1.0, 4.4}, 0.6, 0.3);
+  room.add_box({-4.4, -1.0}, 0.3, 0.6);
+  return drive_through(room, {{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, -4}}, drive, Rng(seed));
+}
+
+// The largest position error, both paths beginning at the same pose [m].
+double largest_error(const RecordedLog& log, const Estimate& estimate) {
+  const Pose2 first = *pose_at(log.true_poses, estimate.trajectory.front().time);
+  double largest = 0.0;
+  for (const StampedPose& stamped : estimate.trajectory) {
+    const Pose2 truth = motion_between(first, *pose_at(log.true_poses, stamped.time));
+    largest = std::max(
+        largest, distance(truth, motion_between(estimate.trajectory.front().pose, stamped.pose)));
+  }
+  return largest;
+}
+
+Estimate run(const RecordedLog& log, const IncrementalMatcherOptions& options) {
+  IncrementalMatcher matcher(options);
+  for (const Measurement& measurement : log.measurements) matcher.add(measurement);
+  return matcher.estimate();
+}
+
+TEST(IncrementalMatcher, StaysNearTheTruePathWhereOdometryDriftsAway) {
+  const RecordedLog log = round_trip(5);
+  OdometryEstimator odometry;
+  for (const Measurement& measurement : log.measurements) odometry.add(measurement);
+  const double drift = largest_error(log, odometry.estimate());
+  EXPECT_GT(drift, 0.6);
+  EXPECT_LT(largest_error(log, run(log, {})), drift / 3.0);
+}
+
+TEST(IncrementalMatcher, WorksWithoutOdometry) {
+  const RecordedLog log = round_trip(6);
+  IncrementalMatcherOptions options;
+  options.use_odometry = false;
+  EXPECT_LT(largest_error(log, run(log, options)), 0.5);
+}
+
+TEST(IncrementalMatcher, AlignsByIcpAndBySearchAsWell) {
+  const RecordedLog log = round_trip(7);
+  IncrementalMatcherOptions options;
+  options.alignment = Alignment::icp;
+  EXPECT_LT(largest_error(log, run(log, options)), 0.5);
+  options.alignment = Alignment::correlative;
+  EXPECT_LT(largest_error(log, run(log, options)), 0.5);
+}
+
+TEST(IncrementalMatcher, RecoversFromATurnThatOdometryMissed) {
+  const TestRoom room = example_place();
+  IncrementalMatcher matcher;
+  const Pose2 start{7.0, 4.0, 0.0}, turned{7.0, 4.0, 1.3};
+  matcher.add(Odometry{.time = 0.0});
+  matcher.add(scan_of(room, start, {.beams = 360, .first_bearing = -kPi}, 0.0));
+  matcher.add(Odometry{.time = 1.0});  // the wheels saw nothing
+  matcher.add(scan_of(room, turned, {.beams = 360, .first_bearing = -kPi}, 1.0));
+  EXPECT_THAT(matcher.pose(), IsNear(motion_between(start, turned), Tolerance{0.03, 0.02}));
+}
+
+TEST(IncrementalMatcher, CountsScansOfALaserThatSeesNothingAndFollowsOdometry) {
+  IncrementalMatcher matcher;
+  for (int i = 0; i < 5; ++i) {
+    matcher.add(Odometry{.time = 0.1 * i, .odometry_from_robot = {0.1 * i, 0.0, 0.0}});
+    LaserScan blind{.time = 0.1 * i, .bearing_step = 0.1, .max_range = 8.0};
+    blind.ranges.assign(30, 8.0);
+    matcher.add(blind);
+  }
+  EXPECT_THAT(matcher.pose(), IsNear(Pose2{0.4, 0.0, 0.0}, Tolerance{1e-9, 1e-9}));
+  EXPECT_EQ(matcher.estimate().untrusted_scans, 4);
+}
+
+TEST(OdometryTrack, ReachesAStampBetweenAndAfterItsReadings) {
+  OdometryTrack track;
+  EXPECT_FALSE(track.at(0.0));
+  track.add({.time = 1.0, .odometry_from_robot = {1.0, 0.0, 0.0}});
+  track.add({.time = 2.0, .odometry_from_robot = {2.0, 0.0, 0.0}});
+  EXPECT_THAT(*track.at(1.5), IsNear(Pose2{1.5, 0, 0}, Tolerance{1e-12, 1e-12}));
+  EXPECT_THAT(*track.at(2.2), IsNear(Pose2{2.2, 0, 0}, Tolerance{1e-12, 1e-12}));
+  EXPECT_FALSE(track.at(9.0));
+}
+
+}  // namespace
+}  // namespace mapbed

@@ -1,0 +1,109 @@
+#include "algorithms/scan_matching/scan_matcher.h"
+
+#include <array>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "core/check.h"
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+namespace {
+
+// The middle of the points, in metres in the robot frame.
+Eigen::Vector2d middle_of(const FieldPoints& points, double resolution) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sum += Eigen::Vector2d(double{points.x[i]}, double{points.y[i]});
+  }
+  return sum * (resolution / static_cast<double>(points.size()));
+}
+
+Pose2 turn_about(const Eigen::Vector2d& pivot, double turn) {
+  const Eigen::Vector2d shift = pivot - Pose2{0, 0, turn} * pivot;
+  return {shift.x(), shift.y(), turn};
+}
+
+// One step forth, back, left and right, and one turn each way: about the robot, as odometry errs,
+// and about the middle of the points, which moves them least and so is the way along the ridge
+// between turns and steps, where single steps and turns about the robot both lead down.
+std::array<Pose2, 8> neighbours(const Pose2& x, double step, double turn,
+                                const Eigen::Vector2d& middle) {
+  return {x * Pose2{step, 0, 0},        x * Pose2{-step, 0, 0},       x * Pose2{0, step, 0},
+          x * Pose2{0, -step, 0},       x * Pose2{0, 0, turn},        x * Pose2{0, 0, -turn},
+          x * turn_about(middle, turn), x * turn_about(middle, -turn)};
+}
+
+// Gauss-Newton on the posterior from a pose near its optimum: the mean over all points of where
+// their lines want them, which the steps of a climb, caught between cells, do not reach.
+Pose2 polished(const Pose2& start, const FieldPoints& points, const LikelihoodField& map,
+               const PosePrior& prediction, int iterations) {
+  Pose2 x = start;
+  for (int i = 0; i < iterations; ++i) {
+    const Pose2 off = motion_between(prediction.mean, x);
+    Eigen::Matrix3d h = prediction.information + 1e-6 * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d g = -prediction.information * Eigen::Vector3d(off.x, off.y, off.theta);
+    const double c = std::cos(x.theta), s = std::sin(x.theta);
+    Eigen::Matrix2d map_from_robot;
+    map_from_robot << c, -s, s, c;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Eigen::Vector2d p =
+          Eigen::Vector2d(double{points.x[k]}, double{points.y[k]}) * map.resolution();
+      const LikelihoodField::Shape shape = map.shape_at(x * p);
+      Eigen::Matrix<double, 2, 3>
+          moves;  // of the point in the map, with steps in the robot's frame
+      moves << map_from_robot, map_from_robot * Eigen::Vector2d(-p.y(), p.x());
+      g += moves.transpose() * shape.slope;
+      h += moves.transpose() * shape.curvature * moves;
+    }
+    const Eigen::Vector3d step = h.ldlt().solve(g);
+    x = x * Pose2{step.x(), step.y(), normalized_angle(step.z())};
+  }
+  return x;
+}
+
+}  // namespace
+
+ScanMatch match_scan_from(const Pose2& start, const FieldPoints& points, const LikelihoodField& map,
+                          const PosePrior& prediction, const ScanMatcherOptions& options) {
+  CHECK(options.last_step > 0.0 && options.turn_per_meter > 0.0);
+  if (points.size() == 0) return {.map_from_robot = prediction.mean};
+  ScanMatch best{.map_from_robot = start, .points_used = static_cast<int>(points.size())};
+
+  const auto log_posterior = [&](const Pose2& x) {
+    return map.sum_log_at(points, x) + prediction.log_at(x);  // (2.19)
+  };
+  best.log_posterior = log_posterior(best.map_from_robot);
+
+  const Eigen::Vector2d middle = middle_of(points, map.resolution());
+  for (double step = options.first_step; step >= options.last_step;) {
+    const ScanMatch before = best;
+    const double turn = step * options.turn_per_meter;
+    for (const Pose2& x : neighbours(before.map_from_robot, step, turn, middle)) {
+      const double value = log_posterior(x);
+      if (value <= best.log_posterior) continue;
+      best.map_from_robot = x;
+      best.log_posterior = value;
+    }
+    const bool improved = best.log_posterior > before.log_posterior;
+    if (!improved) step /= 2.0;
+  }
+
+  const Pose2 fine =
+      polished(best.map_from_robot, points, map, prediction, options.polish_iterations);
+  if (distance(fine, best.map_from_robot) <= options.last_step) best.map_from_robot = fine;
+  best.log_posterior = log_posterior(best.map_from_robot);
+
+  best.log_likelihood = map.sum_log_at(points, best.map_from_robot);
+  best.explained = 1.0 - best.log_likelihood / (double{map.floor()} * best.points_used);
+  best.trustworthy = best.explained >= options.min_explained;
+  return best;
+}
+
+ScanMatch match_scan(const FieldPoints& points, const LikelihoodField& map,
+                     const PosePrior& prediction, const ScanMatcherOptions& options) {
+  return match_scan_from(prediction.mean, points, map, prediction, options);
+}
+
+}  // namespace mapbed
