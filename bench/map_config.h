@@ -21,7 +21,7 @@ namespace mapbed {
 //   scan_matching:  # the method's own options, under its name
 //     first_step: 10 cm
 struct MapConfig {
-  std::string method = "odometry";
+  std::string method = "scan_matching";
   std::uint64_t seed = 1;
   LogOptions log = {};
   MapOptions map = {};
