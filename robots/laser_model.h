@@ -16,17 +16,17 @@ enum class MixedPixels : int {
 
 // How a laser's readings differ from the true ranges. Zero switches a mechanism off.
 struct LaserNoise {
-  double sigma_near = 0.005;           // [m] statistical error up to near_range
-  double sigma_far = 0.010;            // [m] statistical error from far_range on; linear between
-  double near_range = 8.0;             // [m]
-  double far_range = 20.0;             // [m]
-  double bias = 0.0;                   // [m] systematic error, added to every reading
-  double step = 0.01;                  // [m] readings are whole multiples of this
-  double dark_range = 10.0;            // [m] a 10 % reflector, met head on, is seen half the time
-  double dark_softness = 0.1;          // spread of that limit, as a share of it
-  double miss_probability = 0.0005;    // a beam returns nothing for no reason
-  double short_probability = 0.0005;   // something tiny in the way: dust, a fly, a reflection
-  double random_probability = 0.0002;  // a reading anywhere in the measuring range
+  double sigma_near = 0.005;            // [m] statistical error up to near_range
+  double sigma_far = 0.010;             // [m] statistical error from far_range on; linear between
+  double near_range = 8.0;              // [m]
+  double far_range = 20.0;              // [m]
+  double bias = 0.0;                    // [m] systematic error, added to every reading
+  double step = 0.01;                   // [m] readings are whole multiples of this
+  double dark_range = 10.0;             // [m] a 10 % reflector, met head on, is seen half the time
+  double dark_softness = 0.1;           // spread of that limit, as a share of it
+  double miss_probability = 0.0001;     // a beam returns nothing for no reason
+  double short_probability = 0.0001;    // something tiny in the way: dust, a fly, a reflection
+  double random_probability = 0.00001;  // a reading anywhere in the measuring range
   MixedPixels mixed_pixels = MixedPixels::pulse;
   double pulse_length = 0.45;  // [m] echoes closer than this melt into one (3 ns pulse: c t / 2)
   bool glass = true;           // panes let beams through by chance; false: they are walls

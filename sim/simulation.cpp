@@ -90,6 +90,7 @@ struct Simulation::State {
   void step(const DriveCommand& command);
   void take_note();
   void arrange_scene(const Situation& situation);
+  std::vector<bool> note_tracked(const Situation& situation, TruthScan& truth) const;
 
   World world;
   Robot robot;
@@ -220,33 +221,52 @@ Situation Simulation::at(double time) const {
   return between(a, *after, (time - a.time) / (after->time - a.time));
 }
 
+// Beams by the slice of the sweep that they are sent in; within one only the robot moves.
+std::vector<std::vector<Beam>> Simulation::beams_by_slice(const LaserModel& laser,
+                                                          double start) const {
+  const double duration = laser.sweep_time();
+  const int slices = duration > 0.0 ? state_->options.sweep_slices : 1;
+  const Pose2 first = at(start).robot;
+  const Pose2 last = at(start + duration).robot;
+  std::vector<std::vector<Beam>> result(static_cast<std::size_t>(slices));
+  for (int k = 0; k < laser.beams; ++k) {
+    const double share = duration > 0.0 ? laser.beam_delay(k) / duration : 0.0;
+    const int slice = std::min(slices - 1, static_cast<int>(share * slices));
+    result[static_cast<std::size_t>(slice)].push_back({k, interpolate(first, last, share)});
+  }
+  return result;
+}
+
+// Who moves, by entity; what is tracked is noted in the truth.
+std::vector<bool> Simulation::State::note_tracked(const Situation& s, TruthScan& truth) const {
+  std::vector<bool> moves(scene.entity_count(), false);
+  for (std::size_t i = 0; i < s.people.size(); ++i) {
+    const int entity = person_entities[i];
+    moves[static_cast<std::size_t>(entity)] = s.people[i].is_moving;
+    truth.tracked.push_back({entity, s.people[i].pose, s.people[i].is_moving});
+  }
+  for (std::size_t i = 0; i < s.leaves.size(); ++i) {
+    const int entity = doors.door(i).entity;
+    moves[static_cast<std::size_t>(entity)] = s.leaves_moving[i];
+    truth.tracked.push_back({entity, s.leaves[i], s.leaves_moving[i]});
+  }
+  return moves;
+}
+
 Simulation::Sweep Simulation::sweep(int laser_index, double start, std::uint64_t number) {
   State& s = *state_;
   CHECK(laser_index >= 0 && static_cast<std::size_t>(laser_index) < s.robot.lasers.size());
   const MountedLaser& laser = s.robot.lasers[static_cast<std::size_t>(laser_index)];
-  const int beam_count = laser.model.beams;
   const double duration = laser.model.sweep_time();
-  const int slices = duration > 0.0 ? s.options.sweep_slices : 1;
 
-  // Beams by the slice of the sweep that they are sent in; within one only the robot moves.
-  std::vector<std::vector<Beam>> by_slice(static_cast<std::size_t>(slices));
-  const Pose2 first = at(start).robot;
-  const Pose2 last = at(start + duration).robot;
-  for (int k = 0; k < beam_count; ++k) {
-    const double share = duration > 0.0 ? laser.model.beam_delay(k) / duration : 0.0;
-    const int slice = std::min(slices - 1, static_cast<int>(share * slices));
-    by_slice[static_cast<std::size_t>(slice)].push_back({k, interpolate(first, last, share)});
-  }
-
-  std::vector<BeamEchoes> echoes(static_cast<std::size_t>(beam_count));
-  std::vector<bool> moves(s.scene.entity_count(), false);
-  for (int slice = 0; slice < slices; ++slice) {
-    const Situation then = at(start + duration * (slice + 0.5) / slices);
-    s.arrange_scene(then);
-    const std::vector<Beam>& beams = by_slice[static_cast<std::size_t>(slice)];
-    std::vector<BeamEchoes> found = cast_beams(s.scene, laser, beams);
-    for (std::size_t i = 0; i < beams.size(); ++i) {
-      echoes[static_cast<std::size_t>(beams[i].index)] = std::move(found[i]);
+  std::vector<BeamEchoes> echoes(static_cast<std::size_t>(laser.model.beams));
+  const std::vector<std::vector<Beam>> slices = beams_by_slice(laser.model, start);
+  for (std::size_t slice = 0; slice < slices.size(); ++slice) {
+    const double share = (static_cast<double>(slice) + 0.5) / static_cast<double>(slices.size());
+    s.arrange_scene(at(start + share * duration));
+    std::vector<BeamEchoes> found = cast_beams(s.scene, laser, slices[slice]);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      echoes[static_cast<std::size_t>(slices[slice][i].index)] = std::move(found[i]);
     }
   }
 
@@ -256,21 +276,11 @@ Simulation::Sweep Simulation::sweep(int laser_index, double start, std::uint64_t
   result.truth.laser = result.ideal.laser = laser_index;
   result.truth.world_from_robot = middle.robot;
   result.ideal.sweep = number;
-  for (std::size_t i = 0; i < middle.people.size(); ++i) {
-    const bool is_moving = middle.people[i].is_moving;
-    moves[static_cast<std::size_t>(s.person_entities[i])] = is_moving;
-    result.truth.tracked.push_back({s.person_entities[i], middle.people[i].pose, is_moving});
-  }
-  for (std::size_t i = 0; i < middle.leaves.size(); ++i) {
-    const int entity = s.doors.door(i).entity;
-    moves[static_cast<std::size_t>(entity)] = middle.leaves_moving[i];
-    result.truth.tracked.push_back({entity, middle.leaves[i], middle.leaves_moving[i]});
-  }
+  const std::vector<bool> moves = s.note_tracked(middle, result.truth);
   result.ideal.first_echo.push_back(0);
   for (BeamEchoes& beam : echoes) {
-    if (beam.truth.entity >= 0) {
-      beam.truth.is_moving = moves[static_cast<std::size_t>(beam.truth.entity)];
-    }
+    const int entity = beam.truth.entity;
+    beam.truth.is_moving = entity >= 0 && moves[static_cast<std::size_t>(entity)];
     result.truth.beams.push_back(beam.truth);
     result.ideal.echoes.insert(result.ideal.echoes.end(), beam.echoes.begin(), beam.echoes.end());
     result.ideal.first_echo.push_back(static_cast<std::uint32_t>(result.ideal.echoes.size()));

@@ -57,13 +57,15 @@ bool is_free(const Vector2d& place, double radius, const FloorPlan& plan,
 struct Crowd::State {
   State(const FloorPlan& p, const CrowdOptions& o) : plan(p), options(o) {}
 
-  void add_walker(const World& world, const RobotView& robot, Rng rng, PersonKind kind);
+  bool add_walker(const World& world, const RobotView& robot, Rng& rng, PersonKind kind);
   void add_companion(const RobotView& robot, Rng rng);
   bool add_standing(const World& world, const RobotView& robot, Rng rng);
   void draw_body(Walker& body, Person& person, Rng& rng) const;
   bool place_on_route(const CrowdRules& rules, const RobotView& robot, Walker& body, Person& person,
                       Rng& rng);
   Vector2d wish_of_blocker(std::size_t i, const RobotView& robot);
+  void wish_to_stand(std::size_t i);
+  void wish_to_keep_up(std::size_t i);
   void think(const RobotView& robot);
 
   FloorPlan plan;
@@ -101,6 +103,20 @@ bool Crowd::State::place_on_route(const CrowdRules& rules, const RobotView& robo
     return true;
   }
   return false;
+}
+
+bool Crowd::State::add_walker(const World& world, const RobotView& robot, Rng& rng,
+                              PersonKind kind) {
+  Walker body;
+  Person person;
+  person.kind = kind;
+  draw_body(body, person, rng);
+  if (!place_on_route(world.crowd, robot, body, person, rng)) return false;
+  person.blocks_from = rng.uniform(0.2, 1.0) * options.block_pause;
+  person.blocks_until = person.blocks_from + options.block_time;
+  bodies.push_back(body);
+  people.push_back(std::move(person));
+  return true;
 }
 
 // Beside the last walker.
@@ -177,29 +193,20 @@ Crowd::Crowd(const World& world, const FloorPlan& plan, const RobotView& robot,
   const int total = walkers + standing + blockers;
   check_rules(world, walkers + blockers, standing);
 
-  const auto stream_of = [&](std::size_t k) { return rng.stream("person", k); };
-  for (int k = 0; k < walkers + blockers; ++k) {
-    if (static_cast<int>(s.people.size()) >= walkers + blockers) break;
-    Rng own = stream_of(s.people.size());
-    Walker body;
-    Person person;
-    s.draw_body(body, person, own);
-    const bool is_blocker = static_cast<int>(s.people.size()) >= walkers;
-    person.kind = is_blocker ? PersonKind::blocker : PersonKind::walker;
-    if (!s.place_on_route(world.crowd, robot, body, person, own)) {
+  const auto next_stream = [&] { return rng.stream("person", s.people.size()); };
+  while (static_cast<int>(s.people.size()) < walkers + blockers) {
+    const bool is_walker = static_cast<int>(s.people.size()) < walkers;
+    Rng own = next_stream();
+    if (!s.add_walker(world, robot, own, is_walker ? PersonKind::walker : PersonKind::blocker)) {
       does_not_fit(world, s.people.size(), total, "the routes");
     }
-    person.blocks_from = own.uniform(0.2, 1.0) * options.block_pause;
-    person.blocks_until = person.blocks_from + options.block_time;
-    s.bodies.push_back(body);
-    s.people.push_back(std::move(person));
-    const bool has_company = own.uniform() < world.crowd.group_share / 2.0;
-    if (!is_blocker && has_company && static_cast<int>(s.people.size()) < walkers) {
-      s.add_companion(robot, stream_of(s.people.size()));
+    const bool has_company = is_walker && own.uniform() < world.crowd.group_share / 2.0;
+    if (has_company && static_cast<int>(s.people.size()) < walkers) {
+      s.add_companion(robot, next_stream());
     }
   }
   for (int k = 0; k < standing; ++k) {
-    if (s.add_standing(world, robot, stream_of(s.people.size()))) continue;
+    if (s.add_standing(world, robot, next_stream())) continue;
     does_not_fit(world, s.people.size(), total, "the places");
   }
 }
@@ -233,6 +240,27 @@ Vector2d Crowd::State::wish_of_blocker(std::size_t i, const RobotView& robot) {
   return to_go.norm() > 1e-6 ? Vector2d(speed / to_go.norm() * to_go) : Vector2d::Zero();
 }
 
+void Crowd::State::wish_to_stand(std::size_t i) {
+  const Vector2d back = people[i].place - bodies[i].position;
+  bodies[i].wish = back.norm() > 0.15 ? Vector2d(back) : Vector2d::Zero();
+  bodies[i].keeps_heading = back.norm() < 0.5;
+  bodies[i].wished_heading = people[i].heading;
+}
+
+// Beside the leader, on whichever side it is.
+void Crowd::State::wish_to_keep_up(std::size_t i) {
+  Walker& body = bodies[i];
+  const Walker& leader = bodies[static_cast<std::size_t>(people[i].leader)];
+  const Vector2d left(-std::sin(leader.heading), std::cos(leader.heading));
+  const double side = left.dot(body.position - leader.position) >= 0.0 ? 1.0 : -1.0;
+  const Vector2d to_go = leader.position + side * kPairGap * left - body.position;
+  Vector2d wish = leader.velocity + to_go;
+  if (wish.norm() > 1.8) wish *= 1.8 / wish.norm();
+  body.keeps_heading = leader.wish.norm() < 0.1 && to_go.norm() < 0.3;
+  body.wished_heading = leader.heading;
+  body.wish = body.keeps_heading ? Vector2d::Zero() : wish;
+}
+
 void Crowd::State::think(const RobotView& robot) {
   for (std::size_t i = 0; i < people.size(); ++i) {
     Person& person = people[i];
@@ -240,21 +268,9 @@ void Crowd::State::think(const RobotView& robot) {
     if (person.kind == PersonKind::blocker) {
       body.wish = wish_of_blocker(i, robot);
     } else if (person.kind == PersonKind::standing) {
-      const Vector2d back = person.place - body.position;
-      body.wish = back.norm() > 0.15 ? Vector2d(back) : Vector2d::Zero();
-      body.keeps_heading = back.norm() < 0.5;
-      body.wished_heading = person.heading;
+      wish_to_stand(i);
     } else if (person.leader >= 0) {
-      const Walker& leader = bodies[static_cast<std::size_t>(person.leader)];
-      const Vector2d left(-std::sin(leader.heading), std::cos(leader.heading));
-      const double side = left.dot(body.position - leader.position) >= 0.0 ? 1.0 : -1.0;
-      const Vector2d beside = leader.position + side * kPairGap * left;
-      const Vector2d to_go = beside - body.position;
-      Vector2d wish = leader.velocity + to_go;
-      if (wish.norm() > 1.8) wish *= 1.8 / wish.norm();
-      body.keeps_heading = leader.wish.norm() < 0.1 && to_go.norm() < 0.3;
-      body.wished_heading = leader.heading;
-      body.wish = body.keeps_heading ? Vector2d::Zero() : wish;
+      wish_to_keep_up(i);
     } else {
       body.wish =
           person.itinerary->wish(body.position, person.speed, 0.8 * body.radius, plan, time);

@@ -13,10 +13,10 @@
 namespace mapbed {
 namespace {
 
-constexpr double kCell = 0.2;    // [m]
-constexpr int kBlock = 2;        // cells along the side of a block that shares its near walls
-constexpr double kMargin = 1.0;  // [m] of grid around the outermost walls
-constexpr double kHalfDiagonal = 0.5 * 1.4142135623730951 * kCell;
+constexpr double kCell = 0.2;  // [m]
+constexpr int kBlock = 2;      // cells along the side of a block that shares its near walls
+constexpr double kBlockSize = kBlock * kCell;  // [m]
+constexpr double kMargin = 1.0;                // [m] of grid around the outermost walls
 constexpr double kMostCells = 4e7;
 
 double distance_to(const Wall& wall, const Eigen::Vector2d& point) {
@@ -25,6 +25,11 @@ double distance_to(const Wall& wall, const Eigen::Vector2d& point) {
   const double share =
       length2 > 0.0 ? std::clamp((point - wall.from).dot(along) / length2, 0.0, 1.0) : 0.0;
   return std::max(0.0, (wall.from + share * along - point).norm() - wall.radius);
+}
+
+// Of a metre where there is so much room beside a disc: up to three times as much near walls.
+double price_of(double room) {
+  return 1.0 + 2.0 * std::clamp(1.0 - room / 0.4, 0.0, 1.0);
 }
 
 std::vector<Wall> walls_of(const World& world, double low, double high) {
@@ -55,7 +60,9 @@ Eigen::Vector2d nearest_point(const Wall& wall, const Eigen::Vector2d& point) {
 }
 
 FloorPlan::FloorPlan(std::vector<Wall> walls) : walls_(std::move(walls)) {
-  build_grid();
+  lay_out_grid();
+  sort_walls_into_blocks();
+  measure_clearance();
 }
 
 FloorPlan::FloorPlan(const World& world, double low, double high)
@@ -77,43 +84,42 @@ FloorPlan::FloorPlan(const World& world, double low, double high)
   }
 }
 
-void FloorPlan::build_grid() {
+void FloorPlan::lay_out_grid() {
   Eigen::AlignedBox2d box(Eigen::Vector2d(-kMargin, -kMargin), Eigen::Vector2d(kMargin, kMargin));
   if (!walls_.empty()) box.setEmpty();
   for (const Wall& wall : walls_) {
     const Eigen::Vector2d r = Eigen::Vector2d::Constant(wall.radius + kMargin);
     box.extend(wall.from - r).extend(wall.from + r).extend(wall.to - r).extend(wall.to + r);
   }
-  const double wide = box.sizes().x() / (kCell * kBlock);
-  const double high = box.sizes().y() / (kCell * kBlock);
-  if (!(wide * high * kBlock * kBlock < kMostCells)) {
+  const Eigen::Vector2d blocks = box.sizes() / kBlockSize;
+  if (!(blocks.prod() * kBlock * kBlock < kMostCells)) {
     throw InputError("the world is too large to walk or drive in: its floor plan measures " +
                      std::to_string(std::lround(box.sizes().x())) + " m x " +
                      std::to_string(std::lround(box.sizes().y())) + " m");
   }
   corner_ = box.min();
-  block_columns_ = static_cast<int>(wide) + 1;
-  const int block_rows = static_cast<int>(high) + 1;
+  block_columns_ = static_cast<int>(blocks.x()) + 1;
+  block_rows_ = static_cast<int>(blocks.y()) + 1;
   columns_ = block_columns_ * kBlock;
-  rows_ = block_rows * kBlock;
-  clearance_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_),
-                    static_cast<float>(kReach));
+  rows_ = block_rows_ * kBlock;
+}
 
-  // A block's walls: those within reach of any of its points.
-  const double block = kCell * kBlock;
-  const double block_reach = kReach + 0.7072 * block;
+// A block's walls: those within reach of any of its points.
+void FloorPlan::sort_walls_into_blocks() {
+  const double block_reach = kReach + 0.7072 * kBlockSize;
   std::vector<std::vector<std::uint32_t>> near(static_cast<std::size_t>(block_columns_) *
-                                               static_cast<std::size_t>(block_rows));
+                                               static_cast<std::size_t>(block_rows_));
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const Wall& wall = walls_[w];
     const Eigen::Vector2d r = Eigen::Vector2d::Constant(wall.radius + block_reach);
-    const Eigen::Vector2d low = (wall.from.cwiseMin(wall.to) - r - corner_) / block;
-    const Eigen::Vector2d top = (wall.from.cwiseMax(wall.to) + r - corner_) / block;
-    for (int row = std::max(0, static_cast<int>(low.y()));
-         row <= std::min(block_rows - 1, static_cast<int>(top.y())); ++row) {
-      for (int column = std::max(0, static_cast<int>(low.x()));
-           column <= std::min(block_columns_ - 1, static_cast<int>(top.x())); ++column) {
-        const Eigen::Vector2d center = corner_ + block * Eigen::Vector2d(column + 0.5, row + 0.5);
+    const Eigen::Vector2d low = (wall.from.cwiseMin(wall.to) - r - corner_) / kBlockSize;
+    const Eigen::Vector2d top = (wall.from.cwiseMax(wall.to) + r - corner_) / kBlockSize;
+    const int last_row = std::min(block_rows_ - 1, static_cast<int>(top.y()));
+    const int last_column = std::min(block_columns_ - 1, static_cast<int>(top.x()));
+    for (int row = std::max(0, static_cast<int>(low.y())); row <= last_row; ++row) {
+      for (int column = std::max(0, static_cast<int>(low.x())); column <= last_column; ++column) {
+        const Eigen::Vector2d center =
+            corner_ + kBlockSize * Eigen::Vector2d(column + 0.5, row + 0.5);
         if (distance_to(wall, center) > block_reach) continue;
         near[static_cast<std::size_t>(row * block_columns_ + column)].push_back(
             static_cast<std::uint32_t>(w));
@@ -125,11 +131,15 @@ void FloorPlan::build_grid() {
     for (const std::uint32_t w : list) near_walls_.push_back(walls_[w]);
     first_near_.push_back(static_cast<std::uint32_t>(near_walls_.size()));
   }
+}
 
-  for (int cell = 0; cell < columns_ * rows_; ++cell) {
+void FloorPlan::measure_clearance() {
+  const int count = columns_ * rows_;
+  clearance_.assign(static_cast<std::size_t>(count), static_cast<float>(kReach));
+  for (int cell = 0; cell < count; ++cell) {
     const Eigen::Vector2d center = center_of(cell);
+    float& value = clearance_[static_cast<std::size_t>(cell)];
     for (const Wall& wall : walls_near(center)) {
-      float& value = clearance_[static_cast<std::size_t>(cell)];
       value = std::min(value, static_cast<float>(distance_to(wall, center)));
     }
   }
@@ -174,7 +184,7 @@ bool FloorPlan::is_straight_way(const Eigen::Vector2d& from, const Eigen::Vector
   }
 }
 
-// A* on the grid's cells; a cell near walls costs up to three times as much.
+// A* on the grid's cells.
 std::vector<int> FloorPlan::cells_to(int start, int goal, double radius) const {
   struct Entry {
     float total;
@@ -206,8 +216,7 @@ std::vector<int> FloorPlan::cells_to(int start, int goal, double radius) const {
         const int next = row * columns_ + column;
         const double room = clearance_[static_cast<std::size_t>(next)] - radius;
         if (room < 0.0 && next != goal) continue;
-        const double tight = std::clamp(1.0 - room / 0.4, 0.0, 1.0);
-        const double way = kCell * std::hypot(dx, dy) * (1.0 + 2.0 * tight);
+        const double way = kCell * std::hypot(dx, dy) * price_of(room);
         const float new_cost = so_far + static_cast<float>(way);
         if (new_cost >= cost[static_cast<std::size_t>(next)]) continue;
         cost[static_cast<std::size_t>(next)] = new_cost;

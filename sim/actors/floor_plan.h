@@ -21,7 +21,7 @@ struct Wall {
 Eigen::Vector2d nearest_point(const Wall& wall, const Eigen::Vector2d& point);
 
 // Where one can walk or drive: what stands on the floor, door leaves excepted, seen from above.
-// Distances come from a grid and are right to half its diagonal; walls_near() is exact.
+// A grid finds ways; distances are exact.
 class FloorPlan {
  public:
   // Of everything that reaches into the band between the two heights [m]. Throws InputError where
@@ -31,8 +31,7 @@ class FloorPlan {
 
   // Every wall within kReach of the point.
   std::span<const Wall> walls_near(const Eigen::Vector2d& point) const;
-  // To the nearest wall, [m], kReach where there is none that near; 0 inside solids. Never too
-  // large.
+  // To the nearest wall, [m], kReach where there is none that near; 0 inside solids.
   double clearance(const Eigen::Vector2d& point) const;
   // That a disc can go straight from one point to the other.
   bool is_straight_way(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double radius) const;
@@ -44,7 +43,9 @@ class FloorPlan {
   static constexpr double kReach = 1.0;  // [m]
 
  private:
-  void build_grid();
+  void lay_out_grid();
+  void sort_walls_into_blocks();
+  void measure_clearance();
   int cell_of(const Eigen::Vector2d& point) const;  // -1 outside
   Eigen::Vector2d center_of(int cell) const;
   std::vector<int> cells_to(int start, int goal, double radius) const;
@@ -57,6 +58,7 @@ class FloorPlan {
   std::vector<Wall> near_walls_;           // of block after block
   std::vector<std::uint32_t> first_near_;  // of each block; one more at the end
   int block_columns_ = 0;
+  int block_rows_ = 0;
 };
 
 }  // namespace mapbed
