@@ -5,6 +5,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
+#include "sim/render/render_simulation.h"
 #include "sim/render/render_world.h"
 
 namespace mapbed {
@@ -105,6 +106,42 @@ TEST(RenderWorld, ShowsGuestsAndTheirLaser) {
   EXPECT_TRUE(is_red(seen_at(image, -5, 0)));
   const Rgb fan = seen_at(image, 3, 0);
   EXPECT_GT(fan.red, fan.green + 20) << "a tinge of red over the floor";
+}
+
+TEST(RenderWorld, ShowsOnlyWhatLiesAboutTheCenterWhereThatIsWanted) {
+  World world = white_floor();
+  world.entities.push_back(box("crate", {6, 3, 0.5}, {2, 2, 1}, 1));
+  RenderOptions near = kPlan;
+  near.center = {6.0, 3.0};
+  near.reach = 0.8;
+  const RgbImage image = render_world(world, near);
+  EXPECT_TRUE(is_red(image.at(2, 2)));
+  EXPECT_TRUE(is_red(image.at(38, 38)));
+  near.center = {6.0};
+  EXPECT_THROW(render_world(world, near), InputError);
+}
+
+TEST(RenderSimulation, ShowsTheRobotWhereItStandsAndWhatItSees) {
+  World world = white_floor();
+  world.entities.push_back(box("wall", {8, 0, 0.5}, {1, 12, 1}, 0));
+  Robot robot;
+  robot.name = "cart";
+  robot.height = 0.4;
+  robot.footprint = {.length = 2.0, .width = 2.0};
+  robot.drive.track = 1.6;
+  MountedLaser laser;
+  laser.height = 0.5;
+  laser.model.max_range = 30.0;
+  robot.lasers = {laser};
+  Simulation simulation(world, robot, {-5.0, 3.0, 0.0}, {}, Rng(1));
+  for (int i = 0; i < 10; ++i) simulation.step({});
+  Painter painter;
+  const RgbImage image = render_simulation(painter, simulation, kPlan);
+  EXPECT_TRUE(is_red(seen_at(image, -5.4, 3.4)));
+  EXPECT_FALSE(is_red(seen_at(image, -5, -3)));
+  const Rgb ahead = seen_at(image, 0, 3);
+  const Rgb behind = seen_at(image, -8, 3);
+  EXPECT_GT(ahead.red - ahead.green, behind.red - behind.green + 20) << "the fan of the laser";
 }
 
 TEST(RenderWorld, DrawsTheSamePictureAgain) {

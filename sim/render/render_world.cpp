@@ -30,6 +30,24 @@ PaintedMesh painted(const World& world, const RenderOptions& options, const Gues
   return mesh;
 }
 
+// What the picture has to show.
+Eigen::AlignedBox3d shown(const World& world, const RenderOptions& options) {
+  Eigen::AlignedBox3d box = bounds_of(world);
+  if (box.isEmpty()) throw InputError("world '" + world.name + "' has nothing to draw");
+  if (options.cut_height > 0.0) box.max().z() = std::min(box.max().z(), options.cut_height + 0.5);
+  if (!options.center.empty() && options.center.size() != 2) {
+    throw InputError("a picture's center has two coordinates; write center=[x, y]");
+  }
+  Eigen::Vector2d middle = box.center().head<2>();
+  if (!options.center.empty()) middle = Eigen::Vector2d(options.center[0], options.center[1]);
+  if (options.reach > 0.0) {
+    const Eigen::Vector2d reach = Eigen::Vector2d::Constant(options.reach);
+    box.min().head<2>() = middle - reach;
+    box.max().head<2>() = middle + reach;
+  }
+  return box;
+}
+
 }  // namespace
 
 RgbImage render_world(const World& world, const RenderOptions& options, const Guests& guests) {
@@ -39,9 +57,7 @@ RgbImage render_world(const World& world, const RenderOptions& options, const Gu
 
 RgbImage render_world(Painter& painter, const World& world, const RenderOptions& options,
                       const Guests& guests) {
-  Eigen::AlignedBox3d box = bounds_of(world);
-  if (box.isEmpty()) throw InputError("world '" + world.name + "' has nothing to draw");
-  if (options.cut_height > 0.0) box.max().z() = std::min(box.max().z(), options.cut_height + 0.5);
+  const Eigen::AlignedBox3d box = shown(world, options);
   const double aspect = static_cast<double>(options.width) / options.height;
   const Camera camera = options.view == View::plan
                             ? plan_of(box, aspect)

@@ -14,12 +14,14 @@ enum class View : int { overview, plan };
 
 struct RenderOptions {
   View view = View::overview;
-  int width = 1280;         // [pixels]
-  int height = 960;         // [pixels]
-  int samples = 3;          // along each side of a pixel
-  double azimuth = -1.35;   // [rad] where the eye stands, from +x; overview only
-  double elevation = 0.95;  // [rad] over the horizon; overview only
-  double cut_height = 1.3;  // [m] walls end here, so that one sees into the rooms; 0: uncut
+  int width = 1280;                 // [pixels]
+  int height = 960;                 // [pixels]
+  int samples = 3;                  // along each side of a pixel
+  double azimuth = -1.35;           // [rad] where the eye stands, from +x; overview only
+  double elevation = 0.95;          // [rad] over the horizon; overview only
+  double cut_height = 1.3;          // [m] walls end here, so that one sees into the rooms; 0: uncut
+  std::vector<double> center = {};  // [m] x, y of the picture's middle; empty: all of the world's
+  double reach = 0.0;               // [m] what is shown around the center; 0: all of the world
   bool shadows = true;
   bool paths = false;  // draw the world's named paths on the floor
 };
@@ -34,6 +36,9 @@ void visit_fields(RenderOptions& o, Visitor&& visit) {
   visit("elevation", o.elevation, Unit::radian, between(0.05, 1.57), "of the eye over the horizon");
   visit("cut_height", o.cut_height, Unit::meter, kNotNegative,
         "walls end here, so that one sees into the rooms; 0: uncut");
+  visit("center", o.center, Unit::meter, "x and y of the picture's middle; empty: the world's");
+  visit("reach", o.reach, Unit::meter, kNotNegative,
+        "how far around the center is shown; 0: all of the world");
   visit("shadows", o.shadows, "the sun throws shadows");
   visit("paths", o.paths, "draw the world's named paths on the floor");
 }

@@ -148,7 +148,7 @@ World build_corridor(const CorridorOptions& options) {
   const CorridorPlan plan = plan_of(options, rng);
   World world;
   world.name = "corridor";
-  const double reach = plan.depth + 2 * kWall;
+  const double reach = plan.depth + kWall;
   add_floor(world, {-kWall, -reach}, {plan.length + kWall, plan.width + reach}, "carpet");
   std::vector<Eigen::AlignedBox2d> rooms;
   for (const bool north : {false, true}) {

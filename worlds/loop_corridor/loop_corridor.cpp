@@ -173,8 +173,11 @@ World build_loop_corridor(const LoopCorridorOptions& options) {
   const LoopPlan plan = plan_of(options, rng);
   World world;
   world.name = "loop_corridor";
-  add_floor(world, {-plan.west() - kWall, -kWall}, {plan.length + kWall, plan.width + kWall},
-            "carpet");
+  const Eigen::Vector2d wall(kWall, kWall);
+  add_floor(world, -wall, Eigen::Vector2d(plan.length, plan.width) + wall, "carpet");
+  if (plan.nested()) {
+    add_floor(world, {-plan.west() - kWall, -kWall}, {-kWall, plan.small_width + kWall}, "carpet");
+  }
   add_outline(world, "outer wall", outer_outline(plan), true, options.features, rng);
   int number = 0;
   for (const Outline& block : blocks(plan)) {
