@@ -15,6 +15,8 @@
 namespace mapbed {
 namespace {
 
+constexpr std::size_t kMostPieces = 200'000;
+
 struct PlanFile {
   GrayImage image;
   double resolution;      // [m] of a pixel
@@ -107,7 +109,15 @@ void add_plan(World& world, const PlanOptions& options) {
                .world_from_entity = upright(plan.world_from_plan)};
   const int material = material_index(world, options.material);
   const double m = plan.resolution;
-  for (const Patch& patch : occupied_patches(plan)) {
+  const std::vector<Patch> patches = occupied_patches(plan);
+  if (patches.size() > kMostPieces) {
+    throw InputError({options.file},
+                     "the plan falls into " + std::to_string(patches.size()) +
+                         " pieces of wall, too many for memory; at most " +
+                         std::to_string(kMostPieces) + " fit",
+                     "clean it of speckles or make it coarser");
+  }
+  for (const Patch& patch : patches) {
     const double width = m * (patch.columns.last - patch.columns.first);
     const double depth = m * (patch.rows.last - patch.rows.first);
     const double x = m * (patch.columns.first + patch.columns.last) / 2;

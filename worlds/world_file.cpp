@@ -1,22 +1,18 @@
 #include "worlds/world_file.h"
 
 #include <filesystem>
-#include <optional>
 
 #include "core/config/config_node.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
 #include "worlds/building.h"
 #include "worlds/free_ways.h"
-#include "worlds/obj_file.h"
 #include "worlds/plan_import.h"
-#include "worlds/triangulate.h"
+#include "worlds/shape_config.h"
 #include "worlds/worlds.h"
 
 namespace mapbed {
 namespace {
-
-constexpr double kLargest = 1e5;  // [m] of any coordinate
 
 // Reads one world file from top to bottom into a world.
 class WorldReader {
@@ -49,34 +45,6 @@ class WorldReader {
     if (const ConfigNode* list = file_.find(key)) {
       for (const ConfigNode& item : list->items()) read(item);
     }
-  }
-
-  static Eigen::VectorXd coordinates(const ConfigNode& node, std::size_t least, std::size_t most) {
-    const std::vector<double> numbers = node.numbers(Unit::meter, between(-kLargest, kLargest));
-    if (numbers.size() < least || numbers.size() > most) {
-      throw InputError(node.place(), std::to_string(numbers.size()) + " coordinates are given",
-                       least == most ? "write " + std::to_string(least)
-                                     : "write x and y, and a height if needed");
-    }
-    return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
-                                             static_cast<Eigen::Index>(numbers.size()));
-  }
-  static Eigen::Vector2d point(const ConfigNode& node) { return coordinates(node, 2, 2); }
-
-  static std::vector<Eigen::Vector2d> points(const ConfigNode& node, std::size_t least) {
-    std::vector<Eigen::Vector2d> result;
-    for (const ConfigNode& item : node.items()) result.push_back(point(item));
-    if (result.size() < least) {
-      throw InputError(node.place(), std::to_string(result.size()) + " points are too few",
-                       "give " + std::to_string(least) + " or more");
-    }
-    return result;
-  }
-
-  static double length(const ConfigNode& map, const std::string& key, double otherwise) {
-    const ConfigNode* node = map.find(key);
-    if (node == nullptr) return otherwise;
-    return node->number(Unit::meter, {.low = 0.0, .high = kLargest, .low_itself = false});
   }
 
   int material(const ConfigNode& map, const std::string& otherwise) const {
@@ -136,9 +104,9 @@ class WorldReader {
     add_plan(world_, plan);
   }
 
-  std::string beside(const std::string& name) const {
-    return (std::filesystem::path(path_).parent_path() / name).string();
-  }
+  std::filesystem::path folder() const { return std::filesystem::path(path_).parent_path(); }
+
+  std::string beside(const std::string& name) const { return (folder() / name).string(); }
 
   void read_materials(const ConfigNode& node) {
     for (const std::string& name : node.keys()) {
@@ -181,7 +149,7 @@ class WorldReader {
     double done = 0.0;
     if (const ConfigNode* openings = node.find("openings")) {
       for (const ConfigNode& item : openings->items()) {
-        const Opening opening = read_opening(item);
+        const Opening opening = opening_of(item);
         if (opening.at - opening.width / 2 < done || opening.at + opening.width / 2 > reach) {
           throw InputError(item.place(), "the opening reaches beyond the wall or into another one",
                            "give openings from the wall's start to its end, apart from each other");
@@ -193,57 +161,16 @@ class WorldReader {
     add_wall(world_, wall);
   }
 
-  static Opening read_opening(const ConfigNode& node) {
-    Opening opening;
-    opening.kind = static_cast<OpeningKind>(node.at("kind").choice({"gap", "door", "glass"}));
-    opening.at = node.at("at").number(Unit::meter, kNotNegative);
-    opening.width = length(node, "width", opening.width);
-    const auto flag = [&](const std::string& key, bool& value) {
-      if (const ConfigNode* found = node.find(key)) value = found->flag();
-    };
-    const auto seconds = [&](const std::string& key, double& value) {
-      if (const ConfigNode* found = node.find(key)) {
-        value = found->number(Unit::second, kNotNegative);
-      }
-    };
-    if (opening.kind == OpeningKind::door) {
-      flag("open", opening.door.starts_open);
-      flag("hinge_at_end", opening.door.hinge_at_end);
-      flag("opens_left", opening.door.opens_left);
-      seconds("mean_open", opening.door.mean_open);
-      seconds("mean_shut", opening.door.mean_shut);
-      opening.door.opens_within = length(node, "opens_within", opening.door.opens_within);
-    }
-    return opening;
-  }
-
   void read_shape(const ConfigNode& node) {
     Part part;
     Entity entity{.kind = EntityKind::furniture};
-    double rise = 0.0;  // of the part's origin over the shape's foot
-    if (const ConfigNode* box = node.find("box")) {
-      const Eigen::Vector3d size = coordinates(*box, 3, 3);
-      if (size.minCoeff() <= 0.0)
-        throw InputError(box->place(), "the box has no size", "give three lengths above 0");
-      part.geometry = Box{size};
-      rise = size.z() / 2;
-    } else if (const ConfigNode* round = node.find("cylinder")) {
-      const Cylinder cylinder{length(*round, "radius", 0.5), length(*round, "height", 1.0)};
-      part.geometry = cylinder;
-      rise = cylinder.height / 2;
-    } else if (const ConfigNode* outline = node.find("outline")) {
-      part.geometry = extrusion(*outline, length(node, "height", world_.ceiling));
-    } else if (const ConfigNode* mesh = node.find("mesh")) {
-      part.geometry = load_obj(beside(mesh->text()));
-    } else {
-      throw InputError(node.place(), "the shape has no geometry",
-                       "give box, cylinder, outline or mesh");
-    }
+    const ConfiguredShape shape = shape_of(node, world_.ceiling, folder());
+    part.geometry = shape.geometry;
     if (const ConfigNode* name = node.find("name")) entity.name = name->text();
     if (entity.name.empty()) entity.name = "shape";
     part.name = entity.name;
     part.material = material(node, "wood");
-    part.entity_from_part = upright({}, rise);
+    part.entity_from_part = upright({}, shape.rise);
     if (const ConfigNode* kind = node.find("kind")) {
       entity.kind = kind->choice({"structure", "furniture"}) == 0 ? EntityKind::structure
                                                                   : EntityKind::furniture;
@@ -251,32 +178,6 @@ class WorldReader {
     entity.world_from_entity = pose_of(node);
     entity.parts.push_back(std::move(part));
     world_.entities.push_back(std::move(entity));
-  }
-
-  static Extrusion extrusion(const ConfigNode& node, double height) {
-    Extrusion result{points(node, 3), 0.0, height};
-    if (doubled_area(result.outline) < 0.0) {
-      std::reverse(result.outline.begin(), result.outline.end());
-    }
-    if (triangulate(result.outline).size() != result.outline.size() - 2) {
-      throw InputError(node.place(), "the outline crosses itself or covers nothing",
-                       "list its corners in order, once round");
-    }
-    return result;
-  }
-
-  static Pose3 pose_of(const ConfigNode& node) {
-    Pose3 pose;
-    if (const ConfigNode* at = node.find("at")) {
-      const Eigen::VectorXd p = coordinates(*at, 2, 3);
-      pose.position = {p[0], p[1], p.size() == 3 ? p[2] : 0.0};
-    }
-    const auto angle = [&](const std::string& key) {
-      const ConfigNode* found = node.find(key);
-      return found != nullptr ? found->number(Unit::radian) : 0.0;
-    };
-    pose.rotation = rotation_of(angle("heading"), angle("pitch"), angle("roll"));
-    return pose;
   }
 
   void read_paths(const ConfigNode& node) {

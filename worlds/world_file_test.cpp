@@ -113,6 +113,17 @@ TEST_F(WorldFile, MakesWallsOfAPlan) {
       << "top, bottom, left and right side, and the nose";
 }
 
+TEST_F(WorldFile, RefusesAPlanThatIsAllSpeckles) {
+  GrayImage image(640, 640, 254);
+  for (int y = 0; y < 640; ++y) {
+    for (int x = y % 2; x < 640; x += 2) image.at(x, y) = 0;
+  }
+  write_pgm(folder_.file("plan.pgm"), image);
+  write("plan.yaml", "image: plan.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
+  EXPECT_INPUT_ERROR(load("plan: {file: plan.yaml}\n"),
+                     "plan.yaml: the plan falls into 204800 pieces of wall, too many for memory");
+}
+
 TEST_F(WorldFile, ReadsMeshes) {
   write("rock.obj",
         "# a tetrahedron\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"

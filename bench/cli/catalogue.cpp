@@ -6,6 +6,7 @@
 #include "core/log/log_description.h"
 #include "core/log/log_options.h"
 #include "robots/robot.h"
+#include "sim/render/render_world.h"
 #include "worlds/worlds.h"
 
 namespace mapbed {
@@ -75,7 +76,8 @@ std::string defaults_of() {
 }
 
 std::vector<CatalogueEntry> setting_entries() {
-  return {{"log", "how a recorded log is read", defaults_of<LogOptions>},
+  return {{"camera", "how a picture of a world is taken", defaults_of<RenderOptions>},
+          {"log", "how a recorded log is read", defaults_of<LogOptions>},
           {"map", "how a map is made of scans and poses", defaults_of<MapOptions>}};
 }
 

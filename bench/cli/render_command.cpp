@@ -11,6 +11,7 @@
 #include "bench/cli/commands.h"
 #include "bench/map_loader.h"
 #include "bench/map_picture.h"
+#include "bench/world_picture.h"
 #include "core/config/quantity.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
@@ -26,9 +27,37 @@ struct RenderArguments {
   std::vector<std::string> trajectories;
   std::vector<std::string> names;
   PictureOptions picture;
+  WorldPicture world;
+  std::string after;
+  std::vector<std::string> world_options;
+  std::vector<std::string> camera_options;
 };
 
+void write_picture(const std::string& path, const RgbImage& image) {
+  write_png(path, image);
+  fmt::print("{}: {} x {} pixels\n", path, image.width(), image.height());
+}
+
+int render_world(const RenderArguments& arguments) {
+  WorldPicture picture = arguments.world;
+  picture.world = arguments.map;
+  for (const std::string& option : arguments.world_options) {
+    picture.world_settings.push_back(parse_setting(option));
+  }
+  Settings camera;
+  for (const std::string& option : arguments.camera_options) {
+    camera.push_back(parse_setting(option));
+  }
+  apply(camera, options_of(picture.camera), "camera");
+  if (!arguments.after.empty()) {
+    picture.after = parse_quantity(arguments.after, Unit::second, {"--after", 0});
+  }
+  write_picture(arguments.output, picture_of(picture));
+  return kDone;
+}
+
 int render(const RenderArguments& arguments) {
+  if (is_world(arguments.map)) return render_world(arguments);
   std::optional<double> resolution;
   if (!arguments.resolution.empty()) {
     resolution = parse_quantity(arguments.resolution, Unit::meter, {"--resolution", 0});
@@ -42,9 +71,7 @@ int render(const RenderArguments& arguments) {
                                  : std::filesystem::path(path).stem().string();
     paths.push_back({name, load_trajectory(path)});
   }
-  const RgbImage image = picture_of(map, paths, arguments.picture);
-  write_png(arguments.output, image);
-  fmt::print("{}: {} x {} pixels\n", arguments.output, image.width(), image.height());
+  write_picture(arguments.output, picture_of(map, paths, arguments.picture));
   return kDone;
 }
 
@@ -52,11 +79,12 @@ int render(const RenderArguments& arguments) {
 
 void add_render_command(CLI::App& program, Action& action) {
   CLI::App* command =
-      program.add_subcommand("render", "Draw a map with trajectories, a scale bar and a legend");
+      program.add_subcommand("render", "Draw a map with its trajectories, or a world");
   const auto arguments = std::make_shared<RenderArguments>();
   command
-      ->add_option("MAP", arguments->map,
-                   "map.yaml as map servers read it, or a .png with such a file beside it")
+      ->add_option("MAP|WORLD", arguments->map,
+                   "map.yaml as map servers read it, or a .png with such a file beside it; or a "
+                   "world's name or file")
       ->required();
   command->add_option("-o,--output", arguments->output, "the picture, a PNG file")->required();
   command
@@ -75,6 +103,29 @@ void add_render_command(CLI::App& program, Action& action) {
                    "[pixels] of the map's longer side, at most")
       ->capture_default_str()
       ->check(CLI::Range(100, 16000));
+  const char* const of_world = "Of a world";
+  command
+      ->add_option("--robot", arguments->world.robot,
+                   "draw it in the middle of a drive of this robot, people and doors included")
+      ->group(of_world);
+  command->add_option("--path", arguments->world.path, "that the robot follows; else the first one")
+      ->group(of_world);
+  command->add_option("--after", arguments->after, "how long it has driven; 20 s where left out")
+      ->group(of_world);
+  command->add_option("--seed", arguments->world.seed, "of people and doors")
+      ->capture_default_str()
+      ->group(of_world);
+  command
+      ->add_option("--set", arguments->world_options,
+                   "an option of the world, as in size=30m; may come again")
+      ->allow_extra_args(false)
+      ->group(of_world);
+  command
+      ->add_option("--camera", arguments->camera_options,
+                   "an option of the picture, as in view=plan or reach=8m, see 'describe camera'; "
+                   "may come again")
+      ->allow_extra_args(false)
+      ->group(of_world);
   command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
 }
 

@@ -44,6 +44,41 @@ class RenderCommand : public ::testing::Test {
   fs::path folder_;
 };
 
+TEST_F(RenderCommand, DrawsAWorldByItsNameAndByItsFile) {
+  const Outcome by_name =
+      run_mapbed({"render", "corridor", "-o", "corridor.png", "--set", "length=12 m", "--set",
+                  "doors_a_side=2", "--camera", "width=64", "--camera", "height=48"},
+                 folder_);
+  ASSERT_EQ(by_name.status, 0) << by_name.err;
+  EXPECT_EQ(read_rgb_png(path("corridor.png")).width(), 64);
+  std::ofstream(path("lab.yaml")) << "shapes: [{name: crate, box: [1 m, 1 m, 1 m]}]\n";
+  const Outcome by_file = run_mapbed(
+      {"render", "lab.yaml", "-o", "lab.png", "--camera", "width=32", "--camera", "height=32"},
+      folder_);
+  ASSERT_EQ(by_file.status, 0) << by_file.err;
+  EXPECT_EQ(read_rgb_png(path("lab.png")).height(), 32);
+}
+
+TEST_F(RenderCommand, DrawsARobotOnItsWayThroughAWorld) {
+  const std::vector<std::string> alone = {"render",   "corridor", "-o",       "alone.png",
+                                          "--camera", "width=64", "--camera", "height=48"};
+  std::vector<std::string> together = alone;
+  together[3] = "together.png";
+  together.insert(together.end(), {"--robot", "pioneer", "--after", "1 s"});
+  ASSERT_EQ(run_mapbed(alone, folder_).status, 0);
+  const Outcome outcome = run_mapbed(together, folder_);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(read_rgb_png(path("alone.png")), read_rgb_png(path("together.png")));
+}
+
+TEST_F(RenderCommand, SaysWhatIsWrongWithAWorld) {
+  expect_refusal({"render", "offce", "-o", "x.png"}, "did you mean 'office'?");
+  expect_refusal({"render", "office", "-o", "x.png", "--camera", "veiw=plan"}, "'view'");
+  expect_refusal({"render", "office", "-o", "x.png", "--set", "sise=30 m"}, "'size'");
+  expect_refusal({"render", "office", "-o", "x.png", "--robot", "b21r", "--path", "rign"},
+                 "did you mean 'ring'?");
+}
+
 TEST_F(RenderCommand, DrawsAMapWithItsTrajectory) {
   const Outcome plain = run_mapbed({"render", "room.yaml", "-o", "plain.png"}, folder_);
   ASSERT_EQ(plain.status, 0) << plain.err;
