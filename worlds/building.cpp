@@ -101,6 +101,10 @@ void add_panes(const Site& site, const std::string& name, double from, double to
 
 }  // namespace
 
+double frame_width(OpeningKind kind) {
+  return kind == OpeningKind::door ? kFramePost : 0.0;
+}
+
 void add_wall(World& world, const Wall& wall) {
   const Eigen::Vector2d way = wall.to - wall.from;
   const Site site{world,
@@ -119,19 +123,21 @@ void add_wall(World& world, const Wall& wall) {
   for (const Opening& opening : openings) {
     const double from = opening.at - opening.width / 2;
     const double to = opening.at + opening.width / 2;
-    CHECK(from >= done && to <= site.length + wall.thickness / 2);
-    if (from - done > kThinnest) {
-      solid.parts.push_back(
-          Site::block("wall", done, from, wall.thickness, 0.0, world.ceiling, site.material));
-    }
-    if (opening.kind != OpeningKind::gap) {
-      solid.parts.push_back(Site::block("lintel", from, to, wall.thickness, kDoorHeight,
+    // The frame stands in the hole, not in the wall: no two surfaces in one place.
+    const double frame = frame_width(opening.kind);
+    CHECK(from - frame >= done && to + frame <= site.length + wall.thickness / 2);
+    if (from - frame - done > kThinnest) {
+      solid.parts.push_back(Site::block("wall", done, from - frame, wall.thickness, 0.0,
                                         world.ceiling, site.material));
+    }
+    if (opening.kind != OpeningKind::gap && world.ceiling - kDoorHeight - frame > kThinnest) {
+      solid.parts.push_back(Site::block("lintel", from - frame, to + frame, wall.thickness,
+                                        kDoorHeight + frame, world.ceiling, site.material));
     }
     const std::string name = wall.name + " " + std::to_string(++number);
     if (opening.kind == OpeningKind::door) add_door(site, name + " door", from, to, opening.door);
     if (opening.kind == OpeningKind::glass) add_panes(site, name + " glass", from, to);
-    done = to;
+    done = to + frame;
   }
   const double end = site.length + wall.thickness / 2;
   if (end - done > kThinnest) {

@@ -38,8 +38,11 @@ struct Wall {
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
   double thickness = 0.15;  // [m]
   std::string material = "plaster";
-  std::vector<Opening> openings = {};  // apart from each other
+  std::vector<Opening> openings = {};  // apart from each other, frames included
 };
+
+// What an opening of this kind takes of the wall on either side, for its frame. [m]
+double frame_width(OpeningKind kind);
 
 void add_wall(World& world, const Wall& wall);
 // A rectangle of four walls: south, east, north, west.

@@ -150,11 +150,13 @@ class WorldReader {
     if (const ConfigNode* openings = node.find("openings")) {
       for (const ConfigNode& item : openings->items()) {
         const Opening opening = opening_of(item);
-        if (opening.at - opening.width / 2 < done || opening.at + opening.width / 2 > reach) {
+        const double half = opening.width / 2 + frame_width(opening.kind);
+        if (opening.at - half < done || opening.at + half > reach) {
           throw InputError(item.place(), "the opening reaches beyond the wall or into another one",
-                           "give openings from the wall's start to its end, apart from each other");
+                           "give openings from the wall's start to its end, apart from each other, "
+                           "with 6 cm on either side for the frame of a door");
         }
-        done = opening.at + opening.width / 2;
+        done = opening.at + half;
         wall.openings.push_back(opening);
       }
     }
