@@ -114,6 +114,10 @@ Furnisher::Furnisher(World& world) : world_(world), ways_(free_ways(world)) {
   }
 }
 
+void Furnisher::keep_free(const FreeWay& way) {
+  ways_.push_back(way);
+}
+
 bool Furnisher::place(Entity entity, double gap) {
   for (const Footprint& footprint : footprints(entity, 0, kLow, world_.ceiling)) {
     if (!is_free(footprint, gap)) return false;

@@ -24,6 +24,8 @@ class Furnisher {
  public:
   explicit Furnisher(World& world);  // paths, crowd and walls stand already
 
+  void keep_free(const FreeWay& way);  // besides those of the world
+
   // Unless it would come closer than `gap` [m] to something or into a free way.
   bool place(Entity entity, double gap = 0.01);
 

@@ -60,6 +60,24 @@ std::string message_of(const std::string& name, const Settings& settings = {}) {
   return "no error";
 }
 
+// What a laser sees through the wall of glass is the room behind it, not the back of a cabinet.
+TEST(Worlds, KeepTheGlassOfTheOfficeFree) {
+  for (int number = 0; number < 10; ++number) {
+    const World world = build_world("office", seed(number));
+    std::vector<Footprint> glass, furniture;
+    for (const Footprint& footprint : footprints(world, 0.3, 0.4)) {
+      const Entity& entity = world.entities[static_cast<std::size_t>(footprint.entity)];
+      const auto material = static_cast<std::size_t>(footprint.material);
+      if (world.materials[material].transmittance > 0.0) glass.push_back(footprint);
+      if (entity.kind == EntityKind::furniture) furniture.push_back(footprint);
+    }
+    ASSERT_GE(glass.size(), 3u);
+    for (const Footprint& pane : glass) {
+      for (const Footprint& piece : furniture) EXPECT_GT(distance_between(pane, piece), 0.5);
+    }
+  }
+}
+
 TEST(Worlds, SuggestTheNameThatWasMeant) {
   EXPECT_THAT(message_of("offcie"), HasSubstr("unknown world 'offcie'; did you mean 'office'?"));
 }

@@ -274,6 +274,11 @@ World build_office(const OfficeOptions& options) {
 
   Furnisher furnisher(world);
   for (const OfficeRoom& room : rooms) {
+    if (room.behind_glass) {  // nobody puts cabinets before the glass
+      const double line = plan.wall_line(room.corridor_side, room.inner);
+      furnisher.keep_free(
+          {at(room.corridor_side, room.door, line), at(room.corridor_side, room.last, line), 0.9});
+    }
     furnish_office_room(furnisher, world, {room.low, room.high}, room.behind_glass,
                         options.furniture, rng);
   }
