@@ -1,7 +1,6 @@
 #include "core/log/log_description.h"
 
 #include <cstdlib>
-#include <filesystem>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/log/sha256.h"
+#include "core/testing/temporary_folder.h"
 #include "core/text_file.h"
 
 namespace mapbed {
@@ -24,15 +24,12 @@ class Description : public ::testing::Test {
   // A description, and its log in a folder of their own.
   std::string written(const std::string& log, const std::string& checksum,
                       const std::string& more = "") const {
-    const std::string folder = ::testing::TempDir() + "log_description/";
-    std::filesystem::create_directories(folder);
-    std::filesystem::remove(folder + "a.log");
-    if (!log.empty()) write_text_file(folder + "a.log", log);
-    write_text_file(folder + "a.yaml",
+    if (!log.empty()) write_text_file(folder_.file("a.log"), log);
+    write_text_file(folder_.file("a.yaml"),
                     fmt::format("about: a\nfile: a.log\nsha256: {}\nsource: s\nlicence: l\nfetch: "
                                 "from the shelf\nrobot: r\nlaser: x\n{}",
                                 checksum, more));
-    return folder + "a.yaml";
+    return folder_.file("a.yaml");
   }
   static std::string message_of(const std::string& path) {
     try {
@@ -42,6 +39,7 @@ class Description : public ::testing::Test {
     }
     return "no error";
   }
+  TemporaryFolder folder_;  // tests run side by side
   const std::string log_ = "FLASER 3 1 2 3 0 0 0 0 0 0 5 h 0\n";
   const std::string options_ = "log: {field_of_view: 90 deg, robot_from_laser: [0.5, 0, 0]}\n";
 };
