@@ -1,6 +1,7 @@
 #include "algorithms/estimator.h"
 
 #include "algorithms/odometry_estimator.h"
+#include "algorithms/rbpf/grid_slam.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
@@ -45,6 +46,8 @@ const std::vector<Method>& methods() {
           {.alignment = Alignment::correlative}),
       method<IncrementalMatcher, IncrementalMatcherOptions>(
           "icp", "incremental scan matching by point-to-line ICP", {.alignment = Alignment::icp}),
+      method<GridSlam, GridSlamOptions>(
+          "rbpf", "Rao-Blackwellised particle filter with scan matching, chapter 5"),
   };
   return table;
 }

@@ -53,17 +53,6 @@ if(MAPBED_TESTS)
   target_precompile_headers(mapbed_test_pch PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Dense>)
 endif()
 
-# The same for libraries, where they are compiled to be checked: off in release, where each source
-# shows that it includes what it needs, and where ccache does more.
-if(MAPBED_PRECOMPILE)
-  file(WRITE ${CMAKE_BINARY_DIR}/library_pch.cpp "")
-  add_library(mapbed_library_pch STATIC ${CMAKE_BINARY_DIR}/library_pch.cpp)
-  set_target_properties(mapbed_library_pch PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  target_link_libraries(mapbed_library_pch PUBLIC mapbed::flags Eigen3::Eigen fmt::fmt)
-  target_precompile_headers(mapbed_library_pch PRIVATE <algorithm> <cmath> <filesystem> <functional>
-    <map> <memory> <optional> <span> <string> <variant> <vector> <Eigen/Dense> <fmt/format.h>)
-endif()
-
 # All tests with the label unit.
 if(MAPBED_TESTS)
   add_custom_target(mapbed_unit_tests)
@@ -80,9 +69,6 @@ function(mapbed_library name)
   target_include_directories(mapbed_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mapbed>)
   target_link_libraries(mapbed_${name} PUBLIC ${ARG_PUBLIC_LINKS} PRIVATE mapbed::flags ${ARG_PRIVATE_LINKS})
-  if(MAPBED_PRECOMPILE)
-    target_precompile_headers(mapbed_${name} REUSE_FROM mapbed_library_pch)
-  endif()
   install(TARGETS mapbed_${name} EXPORT mapbed)
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   install(DIRECTORY ./ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mapbed/${folder}
@@ -95,7 +81,7 @@ function(mapbed_library name)
     target_compile_definitions(mapbed_${name}_tests PRIVATE MAPBED_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     include(GoogleTest)
     add_dependencies(mapbed_unit_tests mapbed_${name}_tests)
-    gtest_discover_tests(mapbed_${name}_tests DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit)
+    gtest_discover_tests(mapbed_${name}_tests DISCOVERY_MODE PRE_TEST PROPERTIES LABELS unit)
   endif()
 endfunction()
 

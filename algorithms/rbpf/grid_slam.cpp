@@ -1,0 +1,254 @@
+#include "algorithms/rbpf/grid_slam.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "core/check.h"
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kMaxGap =
+    0.2;  // [m] neighbouring end points that are nearer belong to one surface
+
+ScanForWeighting prepared(const LaserScan& scan, const GridSlamOptions& options) {
+  ScanForWeighting result;
+  result.hits = hit_points(scan, options.points);
+  result.surface =
+      surface_points(scan, options.points.max_range, kMaxGap, 0.5 * options.map_resolution);
+  const double end = scan.max_range - options.likelihood.free_before_end;
+  if (scan.max_range > options.likelihood.no_return_range || end <= 0.0) return result;
+  const std::size_t every = std::max<std::size_t>(
+      1, scan.ranges.size() / static_cast<std::size_t>(options.points.max_points));
+  for (std::size_t beam = 0; beam < scan.ranges.size(); beam += every) {
+    if (!scan.is_max_range(beam)) continue;
+    const double bearing = scan.bearing(beam);
+    result.free.push_back(scan.robot_from_laser *
+                          Eigen::Vector2d(end * std::cos(bearing), end * std::sin(bearing)));
+  }
+  return result;
+}
+
+// A pose drawn from the Gaussian about the mode.
+Pose2 drawn_from(const LocalPosterior& posterior, Rng& rng) {
+  const Eigen::Matrix3d root = posterior.covariance.llt().matrixL();
+  const Eigen::Vector3d e = root * Eigen::Vector3d(rng.normal(), rng.normal(), rng.normal());
+  return posterior.mode * Pose2{e.x(), e.y(), normalized_angle(e.z())};
+}
+
+}  // namespace
+
+GridSlam::GridSlam(const GridSlamOptions& options, Rng rng)
+    : options_(options), rng_(rng), matcher_(options.matcher) {
+  CHECK(options.particles > 0);
+}
+
+void GridSlam::add(const Measurement& measurement) {
+  if (const auto* odometry = std::get_if<Odometry>(&measurement)) {
+    odometry_.add(*odometry);
+    matcher_.add(measurement);
+  }
+  if (const auto* scan = std::get_if<LaserScan>(&measurement)) add_scan(*scan);
+}
+
+void GridSlam::add_scan(const LaserScan& scan) {
+  const std::optional<Pose2> odometry =
+      options_.matcher.use_odometry ? odometry_.at(scan.time) : std::optional<Pose2>{};
+  const bool first = updates_.empty();
+  const auto odometry_since = [&](const std::optional<Pose2>& before) {
+    return before && odometry ? std::optional<Pose2>(motion_between(*before, *odometry))
+                              : std::optional<Pose2>{};
+  };
+  const auto is_due = [&](const Pose2& motion) {
+    return std::hypot(motion.x, motion.y) >= options_.update_distance ||
+           std::abs(motion.theta) >= options_.update_turn;
+  };
+
+  // Where the robot is by odometry and scan matching alone.
+  const Pose2 carried =
+      track_from_robot_ * odometry_since(odometry_at_matched_scan_).value_or(Pose2{});
+  Pose2 track = carried;
+  const bool matching = options_.proposal != Proposal::odometry;
+  const bool carried_far =
+      !first && is_due(motion_between(updates_.back().track_from_robot, carried));
+  const bool withheld = matching && carried_far &&
+                        (condensed_scans_ > 0 || options_.proposal == Proposal::scan_matching);
+  if (matching && !withheld) {
+    matcher_.add(scan);
+    track = matcher_.pose();
+  }
+  if (!withheld) {
+    track_from_robot_ = track;
+    odometry_at_matched_scan_ = odometry;
+  }
+
+  const Pose2 motion = first ? Pose2{} : motion_between(updates_.back().track_from_robot, track);
+  const bool due = first || is_due(motion);
+  if (due) {
+    updates_.push_back({.time = scan.time, .track_from_robot = track});
+    // The motion is free of this scan where it was withheld from the matcher; else odometry alone
+    // is.
+    update(scan, motion, withheld ? std::optional<Pose2>{} : odometry_since(odometry_at_update_));
+    odometry_at_update_ = odometry;
+    condensed_scans_ = 0;
+  } else {
+    ++condensed_scans_;
+  }
+  scans_.push_back({scan.time, track, updates_.size()});
+}
+
+void GridSlam::update(const LaserScan& scan, const Pose2& motion,
+                      const std::optional<Pose2>& odometry_motion) {
+  const ScanForWeighting prepared_scan = prepared(scan, options_);
+  const std::size_t number = updates_.size() - 1;
+  const bool first = particles_.empty();
+  if (first) {
+    particles_.assign(static_cast<std::size_t>(options_.particles),
+                      Particle{.map = SurfaceMap(options_.map_resolution)});
+    particles_[0].map.add(transformed(prepared_scan.surface, Pose2{}));
+    const auto root = std::make_shared<HistoryNode>(Pose2{}, number, nullptr);
+    for (Particle& particle : particles_) {
+      particle.map = particles_[0].map;
+      particle.history = root;
+    }
+    updates_.back().effective_number = static_cast<double>(particles_.size());
+    return;
+  }
+  tbb::parallel_for(std::size_t{0}, particles_.size(), [&](std::size_t i) {
+    Rng own = rng_.stream("particle", i, number);
+    move_and_weight(particles_[i], prepared_scan, motion, odometry_motion, own);
+  });
+  resample_where_needed(updates_.back());
+  tbb::parallel_for(std::size_t{0}, particles_.size(), [&](std::size_t i) {
+    Particle& particle = particles_[i];
+    particle.map.add(transformed(prepared_scan.surface, particle.pose));
+    particle.history = std::make_shared<HistoryNode>(particle.pose, number, particle.history);
+  });
+}
+
+void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
+                               const Pose2& motion, const std::optional<Pose2>& odometry_motion,
+                               Rng& rng) const {
+  switch (options_.proposal) {
+    case Proposal::odometry:
+    case Proposal::scan_matching: {
+      const bool raw = options_.proposal == Proposal::odometry;
+      particle.pose =
+          particle.pose *
+          sampled_motion(motion, raw ? options_.odometry_errors : options_.matching_errors, rng);
+      particle.log_weight += log_likelihood(scan, particle.map, particle.pose, options_.likelihood);
+      return;
+    }
+    case Proposal::improved: {
+      const Pose2 start = particle.pose * motion;
+      const PosePrior prior =
+          odometry_motion
+              ? gaussian_after(particle.pose, *odometry_motion, options_.odometry_errors)
+              : gaussian_after(particle.pose, motion, options_.matching_errors);
+      const LocalPosterior posterior =
+          local_posterior(start, scan, particle.map, prior, options_.likelihood);
+      particle.pose = drawn_from(posterior, rng);
+      particle.log_weight += posterior.log_evidence;
+      return;
+    }
+  }
+}
+
+void GridSlam::resample_where_needed(Update& update) {
+  std::vector<double> log_weights;
+  for (const Particle& particle : particles_) log_weights.push_back(particle.log_weight);
+  const std::vector<double> weights = normalized(log_weights);
+  update.effective_number = effective_number(weights);
+  const auto count = static_cast<double>(particles_.size());
+  update.resampled = options_.resampling == Resampling::always ||
+                     (options_.resampling == Resampling::selective &&
+                      update.effective_number < options_.resample_below * count);
+  // Kept relative to the best one, so that sums stay small over any length of log.
+  const double largest = *std::max_element(log_weights.begin(), log_weights.end());
+  for (Particle& particle : particles_) particle.log_weight -= largest;
+  if (!update.resampled) return;
+
+  Rng draw = rng_.stream("resampling", updates_.size());
+  const std::vector<std::size_t> parents = resampled(weights, draw);
+  std::vector<Particle> next;
+  next.reserve(particles_.size());
+  for (std::size_t i = 0; i < parents.size(); ++i) {
+    const bool last_use = i + 1 == parents.size() || parents[i + 1] != parents[i];
+    next.push_back(last_use ? std::move(particles_[parents[i]]) : particles_[parents[i]]);
+    next.back().log_weight = 0.0;
+  }
+  particles_ = std::move(next);
+}
+
+const GridSlam::Particle& GridSlam::best() const {
+  CHECK(!particles_.empty());
+  return *std::max_element(
+      particles_.begin(), particles_.end(),
+      [](const Particle& a, const Particle& b) { return a.log_weight < b.log_weight; });
+}
+
+Pose2 GridSlam::pose() const {
+  if (particles_.empty()) return {};
+  return best().pose *
+         motion_between(updates_.back().track_from_robot, scans_.back().track_from_robot);
+}
+
+// Between two updates, carried from both by odometry and scan matching, and blended by time.
+Pose2 GridSlam::pose_of(const SeenScan& scan, const std::vector<Pose2>& update_poses) const {
+  const std::size_t before = scan.updates - 1;
+  const auto carried_from = [&](std::size_t update) {
+    return update_poses[update] *
+           motion_between(updates_[update].track_from_robot, scan.track_from_robot);
+  };
+  const Pose2 from_before = carried_from(before);
+  if (before + 1 >= updates_.size()) return from_before;
+  const double span = updates_[before + 1].time - updates_[before].time;
+  const double share = span > 0.0 ? (scan.time - updates_[before].time) / span : 0.0;
+  return interpolate(from_before, carried_from(before + 1), share);
+}
+
+Estimate GridSlam::estimate() const {
+  if (particles_.empty()) return {};
+  std::vector<Pose2> update_poses(updates_.size());
+  for (const HistoryNode* node = best().history.get(); node != nullptr; node = node->parent.get()) {
+    update_poses[node->update] = node->pose;
+  }
+  Estimate result;
+  result.trajectory.reserve(scans_.size());
+  for (const SeenScan& scan : scans_) {
+    result.trajectory.push_back({scan.time, pose_of(scan, update_poses)});
+  }
+  result.untrusted_scans = matcher_.estimate().untrusted_scans;
+  const auto resamplings =
+      std::count_if(updates_.begin(), updates_.end(), [](const Update& u) { return u.resampled; });
+  result.remarks.push_back(
+      fmt::format("{} particles, {} updates, {} resamplings; today's particles descend from {} of "
+                  "the first tenth",
+                  particles_.size(), updates_.size(), resamplings,
+                  diversity()[updates_.size() / 10].distinct_ancestors));
+  return result;
+}
+
+std::vector<GridSlam::Diversity> GridSlam::diversity() const {
+  std::vector<Diversity> result(updates_.size());
+  std::unordered_set<const HistoryNode*> generation;
+  for (const Particle& particle : particles_) generation.insert(particle.history.get());
+  for (std::size_t i = updates_.size(); i-- > 0;) {
+    result[i] = {.time = updates_[i].time,
+                 .distinct_ancestors = static_cast<int>(generation.size()),
+                 .effective_number = updates_[i].effective_number,
+                 .resampled = updates_[i].resampled};
+    std::unordered_set<const HistoryNode*> before;
+    for (const HistoryNode* node : generation) before.insert(node->parent.get());
+    generation = std::move(before);
+  }
+  return result;
+}
+
+}  // namespace mapbed

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "algorithms/estimator.h"
+#include "algorithms/odometry_track.h"
+#include "algorithms/rbpf/history.h"
+#include "algorithms/rbpf/motion_model.h"
+#include "algorithms/rbpf/resampling.h"
+#include "algorithms/rbpf/surface_likelihood.h"
+#include "algorithms/rbpf/surface_map.h"
+#include "algorithms/scan_matching/hit_points.h"
+#include "algorithms/scan_matching/incremental_matcher.h"
+#include "core/config/option.h"
+
+namespace mapbed {
+
+// Where the particles of an update are drawn from.
+enum class Proposal : int {
+  odometry,       // the standard filter: raw odometry with its error model
+  scan_matching,  // section 5.3: the scans since the last update, condensed into one corrected
+                  // motion
+  improved,  // Grisetti et al. 2007: the posterior of the update's own scan in each particle's map
+};
+
+struct GridSlamOptions {
+  int particles = 100;
+  Proposal proposal = Proposal::improved;
+  double update_distance = 0.5;  // [m] of motion between updates
+  double update_turn = 0.4;      // [rad] of turn between updates
+  Resampling resampling = Resampling::selective;
+  double resample_below = 0.5;  // effective number, as a share of the particles
+  double map_resolution = 0.1;  // [m] of the particles' maps
+  HitPointOptions points{.max_range = 30.0, .min_spacing = 0.1, .max_points = 90};
+  SurfaceLikelihoodOptions likelihood;
+  MotionModelOptions odometry_errors{.turn_noise = 0.2, .turn_per_meter = 0.15};
+  MotionModelOptions matching_errors{.turn_noise = 0.03,
+                                     .turn_per_meter = 0.02,
+                                     .way_per_meter = 0.04,
+                                     .way_per_turn = 0.02,
+                                     .floor_turn = 0.004,
+                                     .floor_way = 0.005};
+  IncrementalMatcherOptions matcher;
+};
+
+template <class Visitor>
+void visit_fields(GridSlamOptions& o, Visitor&& visit) {
+  visit("particles", o.particles, between(1, 100'000), "number of particles");
+  visit("proposal", o.proposal, {"odometry", "scan_matching", "improved"},
+        "where the particles of an update are drawn from");
+  visit("update_distance", o.update_distance, Unit::meter, kNotNegative, "motion between updates");
+  visit("update_turn", o.update_turn, Unit::radian, kNotNegative, "turn between updates");
+  visit("resampling", o.resampling, {"never", "always", "selective"},
+        "when particles are drawn anew");
+  visit("resample_below", o.resample_below, kShare,
+        "effective number of particles, as a share, below which selective resampling draws anew");
+  visit("map_resolution", o.map_resolution, Unit::meter, kPositive, "cells of the particles' maps");
+  visit("points", o.points, "which points of a scan weight the particles");
+  visit("likelihood", o.likelihood, "how likely a scan is in a particle's map");
+  visit("odometry_errors", o.odometry_errors, "errors of raw odometry");
+  visit("matching_errors", o.matching_errors, "errors of the condensed motion");
+  visit("matcher", o.matcher, "incremental scan matching between updates");
+}
+
+// Rao-Blackwellised particle filter, chapter 5: each particle is a path and the map built along it.
+// Between updates scans are matched once for all particles; at an update the particles move, the
+// scan weights them by its end points in their own maps (5.2), and enters those maps. Every scan of
+// the log gets a pose: those between updates hang between the updates about them as scan matching
+// saw them.
+//
+// No measurement is used twice: the matcher does not see the scans that weight. Where scans are so
+// far apart that each one weights, there is nothing to condense: then Proposal::improved lets the
+// matcher see them, but takes from it only where the search for each particle's optimum starts, and
+// the prior of the motion is that of odometry.
+class GridSlam : public Estimator {
+ public:
+  GridSlam(const GridSlamOptions& options, Rng rng);
+
+  void add(const Measurement& measurement) override;
+  Pose2 pose() const override;
+  Estimate estimate() const override;
+
+  struct Diversity {
+    double time = 0.0;              // [s] of the update
+    int distinct_ancestors = 0;     // of today's particles among those of that update
+    double effective_number = 0.0;  // after weighting, before resampling
+    bool resampled = false;
+  };
+  std::vector<Diversity> diversity() const;
+
+ private:
+  struct Particle {
+    Pose2 pose;  // map_from_robot at the last update
+    double log_weight = 0.0;
+    SurfaceMap map;
+    std::shared_ptr<HistoryNode> history;
+  };
+  struct SeenScan {
+    double time = 0.0;
+    Pose2 track_from_robot;   // by odometry and scan matching alone
+    std::size_t updates = 0;  // made before this scan, or with it
+  };
+  struct Update {
+    double time = 0.0;
+    Pose2 track_from_robot;
+    double effective_number = 0.0;
+    bool resampled = false;
+  };
+
+  void add_scan(const LaserScan& scan);
+  void update(const LaserScan& scan, const Pose2& motion,
+              const std::optional<Pose2>& odometry_motion);
+  void move_and_weight(Particle& particle, const ScanForWeighting& scan, const Pose2& motion,
+                       const std::optional<Pose2>& odometry_motion, Rng& rng) const;
+  void resample_where_needed(Update& update);
+  const Particle& best() const;
+  Pose2 pose_of(const SeenScan& scan, const std::vector<Pose2>& update_poses) const;
+
+  GridSlamOptions options_;
+  Rng rng_;
+  OdometryTrack odometry_;
+  IncrementalMatcher matcher_;
+  std::vector<Particle> particles_;
+  std::vector<SeenScan> scans_;
+  std::vector<Update> updates_;
+  std::optional<Pose2> odometry_at_update_;
+  std::optional<Pose2> odometry_at_matched_scan_;
+  Pose2 track_from_robot_;
+  int condensed_scans_ = 0;  // since the last update
+};
+
+}  // namespace mapbed

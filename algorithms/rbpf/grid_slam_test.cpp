@@ -1,0 +1,113 @@
+#include "algorithms/rbpf/grid_slam.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "core/testing/is_near.h"
+#include "core/testing/test_room.h"
+
+namespace mapbed {
+namespace {
+
+RecordedLog two_rounds() {
+  DriveOptions drive;
+  drive.laser.max_range = 15.0;
+  TestRoom room = ring_corridor();
+  room.add_box({3.0, -4.3}, 0.4, 0.3);
+  room.add_box({4.4, 2.0}, 0.3, 0.5);
+  room.add_box({-1.0, 4.4}, 0.6, 0.3);
+  room.add_box({-4.4, -1.0}, 0.3, 0.6);
+  return drive_through(room, {{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, -5}, {5, -5}}, drive,
+                       Rng(4));
+}
+
+Estimate run(const RecordedLog& log, const GridSlamOptions& options, std::uint64_t seed = 1) {
+  GridSlam slam(options, Rng(seed));
+  for (const Measurement& measurement : log.measurements) slam.add(measurement);
+  return slam.estimate();
+}
+
+double error_at_end(const RecordedLog& log, const Estimate& estimate) {
+  const Pose2 first = *pose_at(log.true_poses, estimate.trajectory.front().time);
+  const Pose2 last = *pose_at(log.true_poses, estimate.trajectory.back().time);
+  return distance(motion_between(first, last), estimate.trajectory.back().pose);
+}
+
+class ClosesALoop : public ::testing::TestWithParam<Proposal> {};
+
+TEST_P(ClosesALoop, WithFewParticles) {
+  const RecordedLog log = two_rounds();
+  GridSlamOptions options;
+  options.particles = 30;
+  options.proposal = GetParam();
+  EXPECT_LT(error_at_end(log, run(log, options)), 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(GridSlam, ClosesALoop,
+                         ::testing::Values(Proposal::scan_matching, Proposal::improved));
+
+TEST(GridSlam, GivesTheSameBytesForAnyNumberOfThreads) {
+  const RecordedLog log = two_rounds();
+  GridSlamOptions options;
+  options.particles = 8;
+  const auto with_threads = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return run(log, options).trajectory;
+  };
+  const Trajectory one = with_threads(1), two = with_threads(2), eight = with_threads(8);
+  ASSERT_EQ(one.size(), two.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].pose, two[i].pose);
+    EXPECT_EQ(one[i].pose, eight[i].pose);
+  }
+}
+
+TEST(GridSlam, ParticlesShareTheirPast) {
+  const RecordedLog log = two_rounds();
+  GridSlamOptions options;
+  options.particles = 20;
+  options.resampling = Resampling::always;
+  GridSlam slam(options, Rng(1));
+  for (const Measurement& measurement : log.measurements) slam.add(measurement);
+  const std::vector<GridSlam::Diversity> diversity = slam.diversity();
+  EXPECT_EQ(diversity.front().distinct_ancestors, 1);  // all start at one pose
+  EXPECT_EQ(diversity.back().distinct_ancestors, 20);
+  for (std::size_t i = 1; i < diversity.size(); ++i) {
+    EXPECT_GE(diversity[i].distinct_ancestors, diversity[i - 1].distinct_ancestors);
+  }
+}
+
+TEST(GridSlam, StaysFiniteWhenTheLaserSeesNothingAndOdometryJumps) {
+  GridSlamOptions options;
+  options.particles = 5;
+  GridSlam slam(options, Rng(1));
+  for (int i = 0; i < 20; ++i) {
+    const double x = i < 10 ? 0.6 * i : 0.6 * i + 50.0;  // carried away
+    slam.add(Odometry{.time = 1.0 * i, .odometry_from_robot = {x, 0.0, 0.0}});
+    LaserScan blind{.time = 1.0 * i, .bearing_step = 0.02, .max_range = 8.0};
+    blind.ranges.assign(100, 8.0);
+    slam.add(blind);
+  }
+  for (const StampedPose& stamped : slam.estimate().trajectory)
+    EXPECT_TRUE(is_finite(stamped.pose));
+}
+
+TEST(GridSlam, WorksWithoutOdometry) {
+  RecordedLog log = two_rounds();
+  std::erase_if(log.measurements,
+                [](const Measurement& m) { return std::holds_alternative<Odometry>(m); });
+  GridSlamOptions options;
+  options.particles = 20;
+  EXPECT_LT(error_at_end(log, run(log, options)), 0.5);
+}
+
+TEST(GridSlam, BeforeTheFirstScanBelievesNothing) {
+  GridSlam slam({}, Rng(1));
+  slam.add(Odometry{.time = 0.0});
+  EXPECT_TRUE(slam.estimate().trajectory.empty());
+  EXPECT_EQ(slam.pose(), Pose2{});
+}
+
+}  // namespace
+}  // namespace mapbed

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "algorithms/rbpf/surface_map.h"
+#include "core/config/option.h"
+#include "core/geometry/pose_prior.h"
+#include "core/sensor/laser_scan.h"
+
+namespace mapbed {
+
+struct SurfaceLikelihoodOptions {
+  double sigma = 0.08;      // [m] of an end point about the mapped surface
+  double hit_share = 0.85;  // of beams that the map explains
+  // The beams of a scan share errors (of the map, of the model), so the logarithm of their product
+  // counts with this share.
+  double beam_weight = 0.25;
+  double proposal_weight =
+      0.7;  // the same where a particle's pose is drawn from the scan's posterior
+  double free_before_end = 0.2;   // [m] before the end of a maximum-range beam a cell must be free
+  double no_return_range = 20.0;  // [m] of longer lasers a missing return says nothing
+};
+
+template <class Visitor>
+void visit_fields(SurfaceLikelihoodOptions& o, Visitor&& visit) {
+  visit("sigma", o.sigma, Unit::meter, kPositive, "spread of end points about the mapped surface");
+  visit("hit_share", o.hit_share, between(0.01, 0.999), "share of beams that the map explains");
+  visit("beam_weight", o.beam_weight, between(0.001, 1.0),
+        "share with which a beam counts, as beams err alike");
+  visit("proposal_weight", o.proposal_weight, between(0.001, 1.0),
+        "the same where a particle's pose is drawn from the scan's posterior");
+  visit("free_before_end", o.free_before_end, Unit::meter, kNotNegative,
+        "before the end of a maximum-range beam the cell is free");
+  visit("no_return_range", o.no_return_range, Unit::meter, kNotNegative,
+        "of lasers that reach farther a missing return says nothing");
+}
+
+// What of a scan weights a particle, in the robot frame [m].
+struct ScanForWeighting {
+  std::vector<Eigen::Vector2d> hits;
+  std::vector<Eigen::Vector2d> free;  // shortly before the ends of maximum-range beams
+  std::vector<SurfacePoint> surface;  // what enters the map
+};
+
+// ln p(z | x, m) by end points, times beam_weight; 0 where all lies on the map.
+double log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
+                      const Pose2& map_from_robot, const SurfaceLikelihoodOptions& options);
+
+// The optimum of ln p(z | x, m) + ln p(x) near a start, by Gauss-Newton, and the Gaussian about it.
+struct LocalPosterior {
+  Pose2 mode;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of (x, y, theta) in the mode's frame
+  double log_evidence = 0.0;  // ln of the integral of p(z | x, m) p(x), up to a constant
+};
+LocalPosterior local_posterior(const Pose2& start, const ScanForWeighting& scan,
+                               const SurfaceMap& map, const PosePrior& prior,
+                               const SurfaceLikelihoodOptions& options);
+
+}  // namespace mapbed
