@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -13,11 +15,16 @@ namespace mapbed {
 namespace {
 
 constexpr Rgb kUnknown{205, 214, 224};
-constexpr int kMargin = 24;         // [pixels] around everything
-constexpr int kMinWidth = 420;      // [pixels] of the map's part, so that the legend has room
-constexpr double kTextSize = 15.0;  // [pixels]
-constexpr int kRowHeight = 26;      // [pixels] of the legend
-constexpr double kSample = 28.0;    // [pixels] length of a sample in the legend
+// Half of the beams of a thin wall end in the cell before or behind it, or pass at its edges.
+constexpr float kBlackFrom = 0.5F;
+constexpr double kStrayLength = 1.0;  // [m]
+constexpr double kStrayShare = 0.02;  // of the known cells, at each side
+constexpr double kStrayBorder = 0.5;  // [m]
+constexpr int kMargin = 24;           // [pixels] around everything
+constexpr int kMinWidth = 420;        // [pixels] of the map's part, so that the legend has room
+constexpr double kTextSize = 15.0;    // [pixels]
+constexpr int kRowHeight = 26;        // [pixels] of the legend
+constexpr double kSample = 28.0;      // [pixels] length of a sample in the legend
 
 // From the map to the picture: `cells_per_pixel` is 1 where `pixels_per_cell` is more than 1.
 struct Layout {
@@ -30,8 +37,50 @@ struct Layout {
   int height() const { return blocks_y * pixels_per_cell; }
 };
 
-CellBox box_around(const OccupancyMap& map, const std::vector<DrawnPath>& paths) {
+// How many cells at either end of `known_cells`, counted by row or by column, hold no more than
+// stray beams: less than kStrayLength known in each and all together less than a share of the map.
+// Some of them stay as a border.
+struct Trim {
+  int low = 0, high = 0;
+};
+
+Trim stray_ends(const std::vector<int>& known_cells, double resolution) {
+  const double few = kStrayLength / resolution;
+  const auto all = std::accumulate(known_cells.begin(), known_cells.end(), std::int64_t{0});
+  const double allowed = kStrayShare * static_cast<double>(all);
+  const int border = static_cast<int>(kStrayBorder / resolution);
+  const auto count_from = [&](auto first, auto last) {
+    int count = 0;
+    std::int64_t left_out = 0;
+    for (auto at = first; at != last && *at < few; ++at, ++count) {
+      left_out += *at;
+      if (static_cast<double>(left_out) > allowed) break;
+    }
+    return std::max(0, count - border);
+  };
+  return {count_from(known_cells.begin(), known_cells.end()),
+          count_from(known_cells.rbegin(), known_cells.rend())};
+}
+
+// The box of what is known, without the far ends of stray beams: a few that went out of a window
+// would shrink the building to a corner.
+CellBox box_of_surroundings(const OccupancyMap& map) {
   CellBox box = known_box(map);
+  if (box.empty()) return box;
+  std::vector<int> in_column(static_cast<std::size_t>(box.width()));
+  std::vector<int> in_row(static_cast<std::size_t>(box.height()));
+  map.for_each([&](CellIndex cell, const Occupancy& occupancy) {
+    if (!occupancy.known()) return;
+    ++in_column[static_cast<std::size_t>(cell.x - box.min.x)];
+    ++in_row[static_cast<std::size_t>(cell.y - box.min.y)];
+  });
+  const Trim x = stray_ends(in_column, map.resolution());
+  const Trim y = stray_ends(in_row, map.resolution());
+  return {{box.min.x + x.low, box.min.y + y.low}, {box.max.x - x.high, box.max.y - y.high}};
+}
+
+CellBox box_around(const OccupancyMap& map, const std::vector<DrawnPath>& paths) {
+  CellBox box = box_of_surroundings(map);
   for (const DrawnPath& path : paths) {
     for (const StampedPose& stamped : path.map_from_robot) {
       const CellIndex cell = map.cell_of(stamped.pose.position());
@@ -63,8 +112,8 @@ struct Block {
   // Between mean and maximum: walls stay visible, and speckles do not become walls.
   Rgb color() const {
     if (known == 0) return kUnknown;
-    const float shade = 0.5F * (sum / static_cast<float>(known) + largest);
-    return color_of(ColorMap::gray, 1.0 - shade);
+    const float occupied = 0.5F * (sum / static_cast<float>(known) + largest);
+    return color_of(ColorMap::gray, 1.0 - std::min(1.0F, occupied / kBlackFrom));
   }
 };
 
@@ -72,7 +121,7 @@ RgbImage image_of_blocks(const OccupancyMap& map, const Layout& layout) {
   std::vector<Block> blocks(static_cast<std::size_t>(layout.blocks_x) *
                             static_cast<std::size_t>(layout.blocks_y));
   map.for_each([&](CellIndex cell, const Occupancy& occupancy) {
-    if (!occupancy.known()) return;
+    if (!occupancy.known() || !layout.box.contains(cell)) return;
     const int x = (cell.x - layout.box.min.x) / layout.cells_per_pixel;
     const int y = (layout.box.max.y - cell.y) / layout.cells_per_pixel;  // the picture's y is down
     Block& block = blocks[static_cast<std::size_t>(y) * static_cast<std::size_t>(layout.blocks_x) +

@@ -51,7 +51,25 @@ TEST(MapPicture, StaysSmallHoweverLargeTheMapAndKeepsThinWalls) {
   for (int x = 0; x < 20000; ++x) map.at({x, 30}) = known(0.0);
   const RgbImage image = picture_of(map, {}, {.longest_side = 500});
   EXPECT_LE(image.width(), 500 + 2 * kMargin);
-  EXPECT_EQ(image.at(kMargin + 250, kMargin), (Rgb{64, 64, 64})) << "mean 0.5, maximum 1";
+  EXPECT_EQ(image.at(kMargin + 250, kMargin), kBlack) << "mean 0.5, maximum 1";
+}
+
+TEST(MapPicture, LeavesOutTheFarEndOfABeamThatWentOutOfAWindow) {
+  OccupancyMap map = hall();
+  for (int x = 100; x < 130; ++x) map.at({x, 20}) = known(0.0);
+  const RgbImage image = picture_of(map, {});
+  EXPECT_EQ(image.width(), picture_of(hall(), {}).width() + 5 * kZoom) << "0.5 m of it stay";
+}
+
+TEST(MapPicture, ShowsTheEndOfACorridorAndWhereverThePathWent) {
+  OccupancyMap map = hall();
+  for (int x = 100; x < 130; ++x) {
+    for (int y = 10; y < 20; ++y) map.at({x, y}) = known(0.0);
+  }
+  EXPECT_EQ(picture_of(map, {}).width(), picture_of(hall(), {}).width() + 30 * kZoom);
+  const Trajectory path{{0.0, {1.05, 2.05, 0}}, {1.0, {11.05, 2.05, 0}}};
+  EXPECT_EQ(picture_of(hall(), {{"estimate", path}}).width(),
+            picture_of(hall(), {}).width() + 11 * kZoom);
 }
 
 TEST(MapPicture, OfAnEmptyMapIsAPictureAllTheSame) {

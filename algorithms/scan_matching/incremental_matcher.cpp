@@ -70,7 +70,8 @@ ScanMatch IncrementalMatcher::aligned(const std::vector<Eigen::Vector2d>& points
   ScanMatch match;
   if (options_.alignment == Alignment::hill_climbing) {
     match = match_scan(in_cells, field_, prior, options_.climb);
-    if (match.trustworthy && !blind) return match;
+    const bool convincing = match.trustworthy && match.explained >= options_.search_below;
+    if (convincing && !blind) return match;
   }
   const Pose2 start =
       match_correlative(in_cells, field_, pyramid(), prior, options_.search).map_from_robot;

@@ -21,7 +21,8 @@ enum class Alignment : int { hill_climbing, correlative, icp };
 
 struct IncrementalMatcherOptions {
   Alignment alignment = Alignment::hill_climbing;
-  bool use_odometry = true;  // false: predict from the last motion alone, as where a log has none
+  bool use_odometry = true;   // false: predict from the last motion alone, as where a log has none
+  double search_below = 0.7;  // a climb that explains less of the scan is checked by a search
   HitPointOptions points;
   LocalMapOptions local_map;
   LikelihoodFieldOptions field;
@@ -37,6 +38,8 @@ void visit_fields(IncrementalMatcherOptions& o, Visitor&& visit) {
   visit("alignment", o.alignment, {"hill_climbing", "correlative", "icp"},
         "how a scan is aligned with the local map");
   visit("use_odometry", o.use_odometry, "false: predict from the last motion alone");
+  visit("search_below", o.search_below, kShare,
+        "hill climbing that explains a smaller share of the scan is checked by a search");
   visit("points", o.points, "which points of a scan are matched");
   visit("local_map", o.local_map, "which past scans are matched against");
   visit("field", o.field, "the smoothed local map");
@@ -50,9 +53,10 @@ void visit_fields(IncrementalMatcherOptions& o, Visitor&& visit) {
 
 // Incremental scan matching, section 2.3: each scan is aligned with a local map of a bounded number
 // of past scans (Algorithm 1), starting where odometry or the last motion predicts. Where hill
-// climbing starts without odometry, or ends with a match that explains too little, a correlative
-// search over a window finds the start; where that explains too little as well, a wider one that
-// takes the prediction for wrong (wheels that spun, a robot that was turned by hand). Errors add up
+// climbing starts without odometry, or ends with a match that explains little (a side optimum, if
+// not a changed world), a correlative search over a window looks for a better start; where that
+// match is not to be trusted either, a wider one takes the prediction for wrong (wheels that spun,
+// a robot that was turned by hand). Errors add up
 // over time: loops stay open. Memory is bounded by the local map, the trajectory apart.
 class IncrementalMatcher : public Estimator {
  public:

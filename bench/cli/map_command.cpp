@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -53,10 +54,19 @@ struct ChosenLog {
   LogOptions options;
 };
 
-// By its path, by the path of its description (.yaml), or by the name of one in scenarios/logs.
+// The name of a log in scenarios/logs, and not a path. A folder of that name, as of earlier
+// results, is in nobody's way.
+bool is_name_of_log(const std::string& log) {
+  if (log.find_first_of("/.") != std::string::npos) return false;
+  if (!fs::exists(log)) return true;
+  const std::vector<std::string> names = data_names("scenarios/logs");
+  return fs::is_directory(log) && std::find(names.begin(), names.end(), log) != names.end();
+}
+
+// By its path, by the path of its description (.yaml), or by its name.
 ChosenLog chosen_log(const std::string& log) {
   std::string description = log;
-  if (!fs::exists(log) && log.find_first_of("/.") == std::string::npos) {
+  if (is_name_of_log(log)) {
     description = find_data_file("log", "scenarios/logs", log).string();
   }
   if (!description.ends_with(".yaml")) return {log, {}};

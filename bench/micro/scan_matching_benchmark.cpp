@@ -1,0 +1,129 @@
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "algorithms/grid/local_map.h"
+#include "algorithms/scan_matching/correlative_matcher.h"
+#include "algorithms/scan_matching/hit_points.h"
+#include "algorithms/scan_matching/incremental_matcher.h"
+#include "algorithms/scan_matching/scan_matcher.h"
+#include "core/geometry/angle.h"
+#include "core/log/carmen_log.h"
+#include "core/log/log_file.h"
+#include "core/testing/test_room.h"
+
+namespace mapbed {
+namespace {
+
+// A drive round the four rooms of the example, 20 m x 14 m: its log, and the map of its true poses.
+struct Place {
+  RecordedLog log;
+  std::vector<LaserScan> scans;
+  std::vector<std::vector<SurfacePoint>> surfaces;  // in the map, of scans half a metre apart
+  LikelihoodField field;
+
+  Place() : log(drive_through(example_place(), example_tour(), {}, Rng(1))) {
+    const IncrementalMatcherOptions options;
+    SurfaceMeans means(field.resolution());
+    std::vector<Pose2> kept;
+    for (const Measurement& measurement : log.measurements) {
+      const auto* scan = std::get_if<LaserScan>(&measurement);
+      if (scan == nullptr) continue;
+      scans.push_back(*scan);
+      const Pose2 pose = true_pose(*scan);
+      if (!kept.empty() && !is_far_enough(kept.back(), pose, options.local_map)) continue;
+      kept.push_back(pose);
+      surfaces.push_back(transformed(surface_points(*scan, options.points.max_range,
+                                                    options.local_map.max_gap, field.resolution()),
+                                     pose));
+      means.add(surfaces.back());
+    }
+    field.add(means.means());
+  }
+
+  Pose2 true_pose(const LaserScan& scan) const { return *pose_at(log.true_poses, scan.time); }
+  FieldPoints points(const LaserScan& scan) const {
+    return to_field_points(hit_points(scan, {}), field.resolution());
+  }
+};
+
+const Place& place() {
+  static const Place made;
+  return made;
+}
+
+// The items are points.
+void BM_ScanLikelihood(benchmark::State& state) {
+  const LaserScan& scan = place().scans[100];
+  const FieldPoints points = place().points(scan);
+  const Pose2 pose = place().true_pose(scan);
+  for (auto _ : state) benchmark::DoNotOptimize(place().field.sum_log_at(points, pose));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+}
+BENCHMARK(BM_ScanLikelihood);
+
+// From predictions 10 cm and 3 degrees off.
+void BM_HillClimbing(benchmark::State& state) {
+  std::size_t i = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    const LaserScan& scan = place().scans[i++ % place().scans.size()];
+    const FieldPoints points = place().points(scan);
+    const Pose2 start = place().true_pose(scan) * Pose2{0.1, 0.0, radians(3.0)};
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(
+        match_scan(points, place().field, independent_prior(start, 0.1, 0.1, 0.1)));
+  }
+}
+BENCHMARK(BM_HillClimbing)->Unit(benchmark::kMicrosecond);
+
+// In the whole map, shifts of up to 7 m and turns of up to 30 degrees, without a prior.
+void BM_CorrelativeMatch(benchmark::State& state) {
+  const CorrelativeMatcherOptions options{.window = 7.0, .turn_window = radians(30.0)};
+  const BoundPyramid pyramid = make_bound_pyramid(place().field, options.window);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    const LaserScan& scan = place().scans[(i += 7) % place().scans.size()];
+    const FieldPoints points = place().points(scan);
+    const PosePrior guess{.mean = place().true_pose(scan) * Pose2{2.0, -1.0, radians(20.0)}};
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(match_correlative(points, place().field, pyramid, guess, options));
+  }
+}
+BENCHMARK(BM_CorrelativeMatch)->Unit(benchmark::kMillisecond);
+
+void BM_BoundPyramid(benchmark::State& state) {
+  const double window = static_cast<double>(state.range(0));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(make_bound_pyramid(place().field, window));
+  }
+}
+BENCHMARK(BM_BoundPyramid)->Arg(1)->Arg(7)->Unit(benchmark::kMillisecond);
+
+// As after each scan that is kept: the surfaces of all of them and the field about these.
+void BM_LocalMapRebuild(benchmark::State& state) {
+  LikelihoodField field;
+  SurfaceMeans means(field.resolution());
+  const auto scans = static_cast<std::size_t>(state.range(0));
+  for (auto _ : state) {
+    means.clear();
+    for (std::size_t i = 0; i < scans; ++i) means.add(place().surfaces.at(i));
+    field.clear();
+    field.add(means.means());
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(BM_LocalMapRebuild)->Arg(25)->Arg(100)->Unit(benchmark::kMillisecond);
+
+// CARMEN text in memory; the bytes are those of the text.
+void BM_LogReading(benchmark::State& state) {
+  const std::string text = old_carmen_text(place().log);
+  for (auto _ : state) benchmark::DoNotOptimize(parse_log("drive.log", text));
+  state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(text.size()));
+}
+BENCHMARK(BM_LogReading)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace mapbed
