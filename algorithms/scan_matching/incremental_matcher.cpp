@@ -10,6 +10,7 @@ namespace mapbed {
 namespace {
 
 constexpr std::size_t kMinPoints = 10;  // fewer say nothing about a pose
+constexpr double kClearlyMore = 0.1;    // of the scan explained
 
 }  // namespace
 
@@ -76,8 +77,12 @@ ScanMatch IncrementalMatcher::aligned(const std::vector<Eigen::Vector2d>& points
   const Pose2 start =
       match_correlative(in_cells, field_, pyramid(), prior, options_.search).map_from_robot;
   const ScanMatch searched = match_scan_from(start, in_cells, field_, prior, options_.climb);
-  const bool better = match.points_used == 0 || searched.log_posterior > match.log_posterior;
-  if (better) match = searched;
+  // Beams err together, so a slightly better sum is no reason to leave the optimum next to where
+  // odometry has the robot.
+  const bool clearly =
+      blind || !match.trustworthy || searched.explained >= match.explained + kClearlyMore;
+  const bool better = searched.log_posterior > match.log_posterior && clearly;
+  if (match.points_used == 0 || better) match = searched;
   return match.trustworthy ? match : recovered(in_cells, match);
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include <fmt/core.h>
 
@@ -18,17 +20,29 @@ namespace {
 
 using namespace std::string_view_literals;
 
+// Some editors write it in front of UTF-8 text.
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf"sv;
+
+[[noreturn]] void refuse_bag(const std::string& name, const char* ros) {
+  throw InputError({name}, fmt::format("is a {} bag, which is not read here", ros),
+                   "write its scans and odometry out as a CARMEN log (FLASER or ROBOTLASER1 "
+                   "lines) or as `t n ranges` lines, for example with the Python package rosbags");
+}
+
+// ROS 2 records into a folder.
+void refuse_bag_folder(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(path, ignored)) return;
+  for (const auto& entry : std::filesystem::directory_iterator(path, ignored)) {
+    const std::string kind = entry.path().extension().string();
+    if (kind == ".db3" || kind == ".mcap") refuse_bag(path, "ROS 2");
+  }
+}
+
 void refuse_binary(const std::string& name, std::string_view text) {
-  if (text.starts_with("#ROSBAG"sv))
-    throw InputError(
-        {name}, "is a ROS 1 bag, which is not read here",
-        "write its scans and odometry out as a CARMEN log (FLASER or ROBOTLASER1 "
-        "lines) or as `t n ranges` lines, for example with the Python package rosbags");
+  if (text.starts_with("#ROSBAG"sv)) refuse_bag(name, "ROS 1");
   if (text.starts_with("SQLite format 3"sv) || text.starts_with("\x89MCAP0\r\n"sv))
-    throw InputError(
-        {name}, "is a ROS 2 bag, which is not read here",
-        "write its scans and odometry out as a CARMEN log (FLASER or ROBOTLASER1 "
-        "lines) or as `t n ranges` lines, for example with the Python package rosbags");
+    refuse_bag(name, "ROS 2");
   if (text.substr(0, 4096).find('\0') != std::string_view::npos)
     throw InputError({name}, "is no text", "logs are read as plain text or gzipped text");
 }
@@ -93,7 +107,10 @@ class Splitter {
   Splitter(const std::string& name, const LogOptions& options) : name_(name), options_(options) {}
 
   void add(std::string_view text) {
-    if (!reader_) reader_ = make_reader(name_, text, options_);
+    if (!reader_) {
+      if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+      reader_ = make_reader(name_, text, options_);
+    }
     while (!text.empty()) {
       const std::size_t end = text.find('\n');
       reader_->add_line(text.substr(0, end), ++line_);
@@ -125,6 +142,7 @@ std::string to_string(const LogWarning& warning) {
 }
 
 RecordedLog load_log(const std::string& path, const LogOptions& options) {
+  refuse_bag_folder(path);
   Splitter splitter(path, options);
   for_each_text_block(path, options.max_text, [&](std::string_view block) { splitter.add(block); });
   return splitter.finish();

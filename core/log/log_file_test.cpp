@@ -1,6 +1,7 @@
 #include "core/log/log_file.h"
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -241,6 +242,20 @@ TEST_F(LogFile, AMissingFileOrAFolderIsRefused) {
   EXPECT_EQ(message_of("nowhere.log"),
             "nowhere.log: No such file or directory; check the file's name");
   EXPECT_THAT(message_of(::testing::TempDir()), HasSubstr("is a folder; name a file in it"));
+}
+
+TEST_F(LogFile, TheFolderOfARos2BagIsRefusedAsABag) {
+  const std::filesystem::path bag = std::filesystem::path(::testing::TempDir()) / "drive_bag";
+  std::filesystem::create_directories(bag);
+  std::ofstream(bag / "drive_0.db3") << "SQLite format 3";
+  EXPECT_THAT(message_of(bag.string()), HasSubstr("drive_bag: is a ROS 2 bag"));
+  std::filesystem::remove_all(bag);
+}
+
+TEST_F(LogFile, AByteOrderMarkIsReadPast) {
+  const RecordedLog log = load_log(written("marked.log", "\xef\xbb\xbf" + good_lines(3)));
+  EXPECT_EQ(scans_of(log).size(), 3u);
+  EXPECT_TRUE(log.warnings.empty());
 }
 
 TEST_F(LogFile, GzipThatIsCutShortIsRefused) {
