@@ -8,22 +8,22 @@
 #include "algorithms/scan_matching/hit_points.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "algorithms/scan_matching/scan_matcher.h"
+#include "core/data_path.h"
 #include "core/geometry/angle.h"
 #include "core/log/carmen_log.h"
-#include "core/log/log_file.h"
-#include "core/testing/test_room.h"
+#include "core/log/log_description.h"
 
 namespace mapbed {
 namespace {
 
-// A drive round the four rooms of the example, 20 m x 14 m: its log, and the map of its true poses.
+// The example log, a drive round four rooms on 20 m x 14 m, and the map of its true poses.
 struct Place {
   RecordedLog log;
   std::vector<LaserScan> scans;
   std::vector<std::vector<SurfacePoint>> surfaces;  // in the map, of scans half a metre apart
   LikelihoodField field;
 
-  Place() : log(drive_through(example_place(), example_tour(), {}, Rng(1))) {
+  Place() : log(open_log(find_data_file("log", "scenarios/logs", "example").string())) {
     const IncrementalMatcherOptions options;
     SurfaceMeans means(field.resolution());
     std::vector<Pose2> kept;
@@ -119,7 +119,7 @@ BENCHMARK(BM_LocalMapRebuild)->Arg(25)->Arg(100)->Unit(benchmark::kMillisecond);
 
 // CARMEN text in memory; the bytes are those of the text.
 void BM_LogReading(benchmark::State& state) {
-  const std::string text = old_carmen_text(place().log);
+  const std::string text = carmen_text(place().log);
   for (auto _ : state) benchmark::DoNotOptimize(parse_log("drive.log", text));
   state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(text.size()));
 }
