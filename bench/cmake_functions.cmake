@@ -140,7 +140,7 @@ function(mapbed_fuzz_tests)
     list(GET target 1 seeds)
     add_dependencies(mapbed_fuzz ${name})
     file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/fuzz/found-${name})
-    add_test(NAME fuzz.${name} COMMAND ${name} -max_total_time=${seconds} -timeout=5
+    add_test(NAME fuzz.${name} COMMAND ${name} -max_total_time=${seconds} -timeout=30
       -rss_limit_mb=1024 -max_len=16384 -print_final_stats=1
       -artifact_prefix=${CMAKE_BINARY_DIR}/fuzz/failures-${name}-
       ${CMAKE_BINARY_DIR}/fuzz/found-${name} ${seeds})
