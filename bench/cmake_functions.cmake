@@ -47,14 +47,31 @@ install(TARGETS mapbed_flags EXPORT mapbed)
 
 # One precompiled header for all tests: GoogleTest and Eigen cost most of a test file's compile time.
 if(MAPBED_TESTS)
-  file(WRITE ${CMAKE_BINARY_DIR}/test_pch.cpp "")
+  add_library(mapbed_test_flags INTERFACE)
+  target_compile_options(mapbed_test_flags INTERFACE ${MAPBED_TEST_FLAGS})
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/test_pch.cpp CONTENT "")
   add_library(mapbed_test_pch STATIC ${CMAKE_BINARY_DIR}/test_pch.cpp)
-  target_link_libraries(mapbed_test_pch PUBLIC mapbed::flags GTest::gtest GTest::gmock Eigen3::Eigen)
+  target_link_libraries(mapbed_test_pch PUBLIC
+    mapbed::flags mapbed_test_flags GTest::gtest GTest::gmock Eigen3::Eigen)
   target_precompile_headers(mapbed_test_pch PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Dense>)
 endif()
 
-# All tests with the label unit.
+# The same for libraries, where they are compiled to be checked: off in release, where each source
+# shows that it includes what it needs, and where ccache does more.
+if(MAPBED_PRECOMPILE)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/library_pch.cpp CONTENT "")
+  add_library(mapbed_library_pch STATIC ${CMAKE_BINARY_DIR}/library_pch.cpp)
+  set_target_properties(mapbed_library_pch PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_link_libraries(mapbed_library_pch PUBLIC mapbed::flags Eigen3::Eigen fmt::fmt)
+  target_precompile_headers(mapbed_library_pch PRIVATE <algorithm> <cmath> <filesystem> <functional>
+    <map> <memory> <optional> <span> <string> <variant> <vector> <Eigen/Dense> <fmt/format.h>)
+endif()
+
+# All tests with the label unit. Each build has a folder of its own for temporary files, so that
+# the tests of two builds can run at a time.
 if(MAPBED_TESTS)
+  set(mapbed_test_environment "TMPDIR=${CMAKE_BINARY_DIR}/test_files")
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/test_files)
   add_custom_target(mapbed_unit_tests)
 endif()
 
@@ -69,6 +86,9 @@ function(mapbed_library name)
   target_include_directories(mapbed_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mapbed>)
   target_link_libraries(mapbed_${name} PUBLIC ${ARG_PUBLIC_LINKS} PRIVATE mapbed::flags ${ARG_PRIVATE_LINKS})
+  if(MAPBED_PRECOMPILE)
+    target_precompile_headers(mapbed_${name} REUSE_FROM mapbed_library_pch)
+  endif()
   install(TARGETS mapbed_${name} EXPORT mapbed)
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   install(DIRECTORY ./ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mapbed/${folder}
@@ -77,11 +97,13 @@ function(mapbed_library name)
     add_executable(mapbed_${name}_tests ${ARG_TESTS})
     target_precompile_headers(mapbed_${name}_tests REUSE_FROM mapbed_test_pch)
     target_link_libraries(mapbed_${name}_tests PRIVATE
-      mapbed::${name} mapbed::flags GTest::gtest GTest::gmock GTest::gmock_main ${ARG_TEST_LINKS})
+      mapbed::${name} mapbed::flags mapbed_test_flags
+      GTest::gtest GTest::gmock GTest::gmock_main ${ARG_TEST_LINKS})
     target_compile_definitions(mapbed_${name}_tests PRIVATE MAPBED_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     include(GoogleTest)
     add_dependencies(mapbed_unit_tests mapbed_${name}_tests)
-    gtest_discover_tests(mapbed_${name}_tests DISCOVERY_MODE PRE_TEST PROPERTIES LABELS unit)
+    gtest_discover_tests(mapbed_${name}_tests DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120
+      PROPERTIES LABELS unit ENVIRONMENT "${mapbed_test_environment}")
   endif()
 endfunction()
 
