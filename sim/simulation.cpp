@@ -222,13 +222,13 @@ Situation Simulation::at(double time) const {
 }
 
 // Beams by the slice of the sweep that they are sent in; within one only the robot moves.
-std::vector<std::vector<Beam>> Simulation::beams_by_slice(const LaserModel& laser,
+std::vector<std::vector<AimedBeam>> Simulation::beams_by_slice(const LaserModel& laser,
                                                           double start) const {
   const double duration = laser.sweep_time();
   const int slices = duration > 0.0 ? state_->options.sweep_slices : 1;
   const Pose2 first = at(start).robot;
   const Pose2 last = at(start + duration).robot;
-  std::vector<std::vector<Beam>> result(static_cast<std::size_t>(slices));
+  std::vector<std::vector<AimedBeam>> result(static_cast<std::size_t>(slices));
   for (int k = 0; k < laser.beams; ++k) {
     const double share = duration > 0.0 ? laser.beam_delay(k) / duration : 0.0;
     const int slice = std::min(slices - 1, static_cast<int>(share * slices));
@@ -260,7 +260,7 @@ Simulation::Sweep Simulation::sweep(int laser_index, double start, std::uint64_t
   const double duration = laser.model.sweep_time();
 
   std::vector<BeamEchoes> echoes(static_cast<std::size_t>(laser.model.beams));
-  const std::vector<std::vector<Beam>> slices = beams_by_slice(laser.model, start);
+  const std::vector<std::vector<AimedBeam>> slices = beams_by_slice(laser.model, start);
   for (std::size_t slice = 0; slice < slices.size(); ++slice) {
     const double share = (static_cast<double>(slice) + 0.5) / static_cast<double>(slices.size());
     s.arrange_scene(at(start + share * duration));

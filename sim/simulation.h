@@ -69,7 +69,7 @@ class Simulation {
   std::vector<TruthEntity> entities() const;
 
  private:
-  std::vector<std::vector<Beam>> beams_by_slice(const LaserModel& laser, double start) const;
+  std::vector<std::vector<AimedBeam>> beams_by_slice(const LaserModel& laser, double start) const;
 
   struct State;
   std::unique_ptr<State> state_;

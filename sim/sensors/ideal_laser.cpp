@@ -32,7 +32,7 @@ std::vector<SubRay> sub_rays_of(const LaserModel& model) {
   return result;
 }
 
-Ray ray_of(const MountedLaser& laser, const Beam& beam, double offset) {
+Ray ray_of(const MountedLaser& laser, const AimedBeam& beam, double offset) {
   const LaserModel& model = laser.model;
   const Pose2 world_from_laser = beam.world_from_robot * laser.robot_from_laser;
   const double axis =
@@ -88,7 +88,7 @@ BeamTruth truth_of(const Hit& hit) {
 }  // namespace
 
 std::vector<BeamEchoes> cast_beams(const Scene& scene, const MountedLaser& laser,
-                                   std::span<const Beam> beams) {
+                                   std::span<const AimedBeam> beams) {
   const std::vector<SubRay> sub_rays = sub_rays_of(laser.model);
   const std::vector<Material>& materials = scene.materials();
   const std::size_t last = sub_rays.size() - 1;

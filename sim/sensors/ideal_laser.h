@@ -19,7 +19,7 @@ struct BeamTruth {
 };
 
 // One beam to send: which one, and where the robot is at its moment.
-struct Beam {
+struct AimedBeam {
   int index = 0;
   Pose2 world_from_robot;
 };
@@ -34,6 +34,6 @@ struct BeamEchoes {
 // shares as the chords of a disc. Where the axis and both outer sub-rays meet one opaque surface,
 // the axis stands for all. Behind a pane follows the first opaque surface on the same line.
 std::vector<BeamEchoes> cast_beams(const Scene& scene, const MountedLaser& laser,
-                                   std::span<const Beam> beams);
+                                   std::span<const AimedBeam> beams);
 
 }  // namespace mapbed

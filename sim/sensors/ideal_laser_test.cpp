@@ -20,7 +20,7 @@ MountedLaser single_beam() {
 BeamEchoes sent(const World& world, const MountedLaser& laser, const Pose2& robot) {
   Scene scene(world);
   scene.update();
-  const Beam beam{0, robot};
+  const AimedBeam beam{0, robot};
   return cast_beams(scene, laser, {&beam, 1}).front();
 }
 
