@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Metric {
   std::string name;        // "translation_error"
   Unit unit = Unit::none;  // of all values in memory and in files: SI and radians
   std::string about;
+  // Of a run that could not be finished: a failure counts as one, other values are missing.
+  double when_failed = std::numeric_limits<double>::quiet_NaN();
 };
 
 // What a sweep varies: one option, by its path.
@@ -61,6 +64,7 @@ struct SummaryRow {
 struct ClaimResult {
   std::string claim;  // "failures of filter on at most those of filter off, at every level"
   bool held = false;
+  bool judged = true;    // false: the quick run has no such level
   std::string measured;  // the figures: "worst at rotation_sigma = 8 deg: 0.12 against 0.30"
   std::string thesis;    // what the thesis says; empty: nothing
 };

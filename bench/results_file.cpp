@@ -1,9 +1,16 @@
 #include "bench/results_file.h"
 
+#include <algorithm>
+#include <charconv>
+
 #include <fmt/format.h>
 
 #include "bench/csv_file.h"
+#include "bench/scenario/config_text.h"
+#include "bench/scenario/summary.h"
 #include "core/config/quantity.h"
+#include "core/input_error.h"
+#include "core/text_file.h"
 
 namespace mapbed {
 namespace {
@@ -26,15 +33,53 @@ std::string symbol_of(Unit unit) {
   return open == std::string::npos ? "" : name.substr(open + 1, name.size() - open - 2);
 }
 
-}  // namespace
-
-std::string runs_csv(const Results& results) {
+CsvRow head_of_runs(const Results& results) {
   CsvRow head{"run", "seed", "level"};
   append_paths(head, results);
   head.push_back("variant");
   for (const Metric& metric : results.metrics) head.push_back(metric.name);
   head.push_back("failure");
-  std::string text = csv_line(head);
+  return head;
+}
+
+template <class Integer>
+Integer whole_number(const std::string& text, const Place& place) {
+  Integer value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc{} && end == text.data() + text.size()) return value;
+  throw InputError(place, in_quotes(text) + " is no whole number");
+}
+
+RunRow run_of(const CsvRow& row, const Results& plan, const Place& place) {
+  RunRow run{.run = whole_number<int>(row[0], place), .level = whole_number<int>(row[2], place)};
+  run.seed = whole_number<std::uint64_t>(row[1], place);
+  const std::size_t at = 3 + plan.axes.size();
+  const auto variant = std::find(plan.variants.begin(), plan.variants.end(), row[at]);
+  const bool has_level = run.level >= 0 && run.level < static_cast<int>(plan.levels.size());
+  if (variant == plan.variants.end() || !has_level) {
+    throw InputError(place, "this run is not of this scenario");
+  }
+  run.variant = static_cast<int>(variant - plan.variants.begin());
+  for (std::size_t m = 0; m < plan.metrics.size(); ++m) {
+    run.values.push_back(parse_csv_number(row[at + 1 + m]));
+  }
+  run.failure = row.back();
+  return run;
+}
+
+std::vector<CsvRow> rows_of(const std::string& path, std::size_t fields) {
+  std::vector<CsvRow> rows = parse_csv(path, read_text_file(path));
+  if (rows.empty() || rows.front().size() != fields) {
+    throw InputError({path, 1}, "these are not the columns of this table");
+  }
+  rows.erase(rows.begin());
+  return rows;
+}
+
+}  // namespace
+
+std::string runs_csv(const Results& results) {
+  std::string text = csv_line(head_of_runs(results));
   for (const RunRow& run : results.runs) {
     CsvRow row{fmt::to_string(run.run), fmt::to_string(run.seed), fmt::to_string(run.level)};
     append_axes(row, results, run.level);
@@ -72,7 +117,11 @@ std::string summary_csv(const Results& results) {
 std::string claims_csv(const Results& results) {
   std::string text = csv_line({"claim", "held", "measured", "thesis"});
   for (const ClaimResult& claim : results.claims) {
-    text += csv_line({claim.claim, claim.held ? "yes" : "no", claim.measured, claim.thesis});
+    text += csv_line({claim.claim,
+                      !claim.judged ? "not judged"
+                      : claim.held  ? "yes"
+                                    : "no",
+                      claim.measured, claim.thesis});
   }
   return text;
 }
@@ -85,6 +134,41 @@ std::string cost_csv(const Results& results) {
                         cost.recording_seconds, cost.recorded_seconds, cost.peak_memory);
   }
   return text;
+}
+
+std::vector<RunRow> parse_runs(const std::string& name, std::string_view csv, const Results& plan) {
+  const std::vector<CsvRow> rows = parse_csv(name, csv);
+  if (rows.empty() || rows.front() != head_of_runs(plan)) {
+    throw InputError({name, 1}, "these are not the columns of this scenario's runs");
+  }
+  std::vector<RunRow> runs;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    runs.push_back(run_of(rows[i], plan, {name, static_cast<long>(i + 1)}));
+  }
+  return runs;
+}
+
+Results load_results(const std::string& folder) {
+  Results results = load_planned(folder + "/config.yaml");
+  const std::string runs = folder + "/runs.csv";
+  results.runs = parse_runs(runs, read_text_file(runs), results);
+  results.summary = summarise(results);
+  for (const CsvRow& row : rows_of(folder + "/claims.csv", 4)) {
+    results.claims.push_back({.claim = row[0],
+                              .held = row[1] == "yes",
+                              .judged = row[1] != "not judged",
+                              .measured = row[2],
+                              .thesis = row[3]});
+  }
+  for (const CsvRow& row : rows_of(folder + "/cost.csv", 5)) {
+    CostRow& cost = results.costs.emplace_back();
+    cost.run = whole_number<int>(row[0], {folder + "/cost.csv"});
+    cost.seconds = parse_csv_number(row[1]);
+    cost.recording_seconds = parse_csv_number(row[2]);
+    cost.recorded_seconds = parse_csv_number(row[3]);
+    cost.peak_memory = parse_csv_number(row[4]);
+  }
+  return results;
 }
 
 }  // namespace mapbed

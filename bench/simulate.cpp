@@ -51,6 +51,25 @@ Settings settings_of_others(const Settings& all) {
   return result;
 }
 
+// What differs from the world's defaults.
+std::string text_of(const Settings& settings) {
+  std::string text;
+  for (const Setting& setting : settings) {
+    text += (text.empty() ? "" : ", ") + setting.path + ": " + setting.text;
+  }
+  return "{" + text + "}";
+}
+
+// A driver who is told measurements reacts to their noise, which then belongs to the recording.
+Robot without_noise(Robot robot, const RecorderOptions& recorder) {
+  if (recorder.tells_driver) return robot;
+  const OdometryModel given = robot.odometry;
+  robot.odometry = {};
+  robot.odometry.rate = given.rate;
+  for (MountedLaser& laser : robot.lasers) laser.model.noise = {};
+  return robot;
+}
+
 // "dir/name.log.gz" -> "dir/name"
 std::string stem_of(std::string path) {
   for (const char* ending : {".gz", ".log", ".clf"}) {
@@ -95,30 +114,62 @@ SimulationPlan load_simulation_plan(const std::string& scenario_path) {
   return plan;
 }
 
-SimulationResult run_simulation(const SimulationPlan& plan) {
-  SimulationResult result;
-  result.world = build_world(plan.world, settings_of_world(plan.settings));
-  result.robot = load_robot(plan.robot);
-  Options options{.robot = result.robot, .simulation = {}, .driver = {}, .recorder = {}};
+PreparedSimulation prepare_simulation(const SimulationPlan& plan) {
+  PreparedSimulation prepared{.plan = plan};
+  prepared.world = build_world(plan.world, settings_of_world(plan.settings));
+  prepared.robot = load_robot(plan.robot);
+  Options options{.robot = prepared.robot, .simulation = {}, .driver = {}, .recorder = {}};
   options.simulation.people.walkers = plan.people;
   apply(settings_of_others(plan.settings), options_of(options), "the simulation");
-  result.config = fmt::format("world: {}\nseed: {}\npath: {}\n", plan.world, plan.seed, plan.path) +
-                  to_yaml(options_of(options));
-  if (result.world.paths.empty()) {
+  if (prepared.world.paths.empty()) {
     throw InputError("world '" + plan.world + "' has no path to drive; add one to its paths");
   }
-  if (result.robot.lasers.empty()) {
+  if (prepared.robot.lasers.empty()) {
     throw InputError("robot '" + plan.robot + "' has no laser; add one to its lasers");
   }
-  const NamedPath& path =
-      plan.path.empty() ? result.world.paths.front() : path_by_name(result.world, plan.path);
+  prepared.path =
+      plan.path.empty() ? prepared.world.paths.front() : path_by_name(prepared.world, plan.path);
+  prepared.simulation = options.simulation;
+  prepared.driver = options.driver;
+  prepared.recorder = options.recorder;
+  const std::string names =
+      fmt::format("world: {}\nworld_settings: {}\npath: {}\n", plan.world,
+                  text_of(settings_of_world(plan.settings)), prepared.path.name);
+  prepared.config = names + to_yaml(options_of(options));
+  Robot noiseless = without_noise(prepared.robot, prepared.recorder);
+  Options rest{.robot = noiseless,
+               .simulation = options.simulation,
+               .driver = options.driver,
+               .recorder = options.recorder};
+  prepared.noiseless_config = names + to_yaml(options_of(rest));
+  return prepared;
+}
 
-  const Rng rng(plan.seed);
-  Simulation simulation(result.world, result.robot, start_of(path), options.simulation, rng);
-  ScriptedDriver driver(simulation, path, options.driver);
-  options.recorder.longest = std::min(options.recorder.longest, driver.longest_time());
-  result.recording = record(simulation, driver, options.recorder, rng);
-  result.log = with_noise(result.recording, result.robot, rng);
+Recording record(const PreparedSimulation& prepared) {
+  const Rng rng(prepared.plan.seed);
+  Simulation simulation(prepared.world, prepared.robot, start_of(prepared.path),
+                        prepared.simulation, rng);
+  ScriptedDriver driver(simulation, prepared.path, prepared.driver);
+  RecorderOptions options = prepared.recorder;
+  options.longest = std::min(options.longest, driver.longest_time());
+  return record(simulation, driver, options, rng);
+}
+
+Robot robot_with_noise(const SimulationPlan& plan) {
+  Robot robot = load_robot(plan.robot);
+  Options options{.robot = robot, .simulation = {}, .driver = {}, .recorder = {}};
+  apply(settings_of_others(plan.settings), options_of(options), "the simulation");
+  return robot;
+}
+
+SimulationResult run_simulation(const SimulationPlan& plan) {
+  PreparedSimulation prepared = prepare_simulation(plan);
+  SimulationResult result;
+  result.recording = record(prepared);
+  result.log = with_noise(result.recording, prepared.robot, Rng(plan.seed));
+  result.config = fmt::format("seed: {}\n", plan.seed) + prepared.config;
+  result.world = std::move(prepared.world);
+  result.robot = std::move(prepared.robot);
   return result;
 }
 

@@ -24,6 +24,25 @@ struct SimulationPlan {
 // what else a scenario says is for others. Throws InputError.
 SimulationPlan load_simulation_plan(const std::string& scenario_path);
 
+// Everything that is needed to record, checked.
+struct PreparedSimulation {
+  SimulationPlan plan;
+  World world;
+  Robot robot;
+  NamedPath path;
+  SimulationOptions simulation;
+  ScriptedDriverOptions driver;
+  RecorderOptions recorder;
+  std::string config;            // complete, as YAML
+  std::string noiseless_config;  // the same without what is drawn after recording: plans that agree
+                                 // in this and in the seed give the same recording
+};
+
+// Throws InputError where something is unknown or does not fit.
+PreparedSimulation prepare_simulation(const SimulationPlan& plan);
+Recording record(const PreparedSimulation& prepared);
+Robot robot_with_noise(const SimulationPlan& plan);  // the robot alone, with its settings
+
 struct SimulationResult {
   World world;
   Robot robot;
@@ -32,7 +51,7 @@ struct SimulationResult {
   std::string config;  // complete, as YAML
 };
 
-// Throws InputError where something is unknown or does not fit.
+// All of the above, and noise.
 SimulationResult run_simulation(const SimulationPlan& plan);
 
 // Beside LOG = name.log[.gz]: name.truth.gz, name.relations, name.tum (true poses), name_map.pgm

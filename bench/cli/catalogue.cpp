@@ -2,9 +2,13 @@
 
 #include "algorithms/estimator.h"
 #include "algorithms/grid/map_builder.h"
+#include "bench/experiments/experiment.h"
+#include "bench/scenario/scenario.h"
+#include "core/config/quantity.h"
 #include "core/data_path.h"
 #include "core/log/log_description.h"
 #include "core/log/log_options.h"
+#include "core/text_file.h"
 #include "robots/robot.h"
 #include "sim/render/render_world.h"
 #include "worlds/worlds.h"
@@ -69,6 +73,34 @@ std::vector<CatalogueEntry> log_entries() {
   return entries;
 }
 
+std::vector<CatalogueEntry> scenario_entries() {
+  std::vector<CatalogueEntry> entries;
+  for (const std::string& name : scenario_names()) {
+    entries.push_back({name, load_scenario(name).about, [name] {
+                         return read_text_file(find_data_file("scenario", "scenarios", name));
+                       }});
+  }
+  return entries;
+}
+
+std::string text_of(const Experiment& experiment) {
+  std::string text = "metrics:\n";
+  for (const Metric& metric : experiment.metrics) {
+    const std::string unit = metric.unit == Unit::none ? "" : ", " + unit_name(metric.unit);
+    text += "  " + metric.name + "  # " + metric.about + unit + "\n";
+  }
+  return text + "options:\n" + experiment.complete_yaml({});
+}
+
+std::vector<CatalogueEntry> experiment_entries() {
+  std::vector<CatalogueEntry> entries;
+  for (const Experiment& experiment : experiments()) {
+    entries.push_back(
+        {experiment.name, experiment.about, [&experiment] { return text_of(experiment); }});
+  }
+  return entries;
+}
+
 template <class Options>
 std::string defaults_of() {
   Options options;
@@ -85,9 +117,14 @@ std::vector<CatalogueEntry> setting_entries() {
 
 const std::vector<CatalogueShelf>& catalogue() {
   static const std::vector<CatalogueShelf> shelves{
-      {"worlds", "world", world_entries},    {"robots", "robot", robot_entries},
-      {"sensors", "sensor", sensor_entries}, {"methods", "method", method_entries},
-      {"logs", "log", log_entries},          {"settings", "setting", setting_entries},
+      {"scenarios", "scenario", scenario_entries},
+      {"experiments", "experiment", experiment_entries},
+      {"worlds", "world", world_entries},
+      {"robots", "robot", robot_entries},
+      {"sensors", "sensor", sensor_entries},
+      {"methods", "method", method_entries},
+      {"logs", "log", log_entries},
+      {"settings", "setting", setting_entries},
   };
   return shelves;
 }

@@ -65,6 +65,7 @@ int run_program(int argc, const char* const* argv) {
       "'mapbed COMMAND --help' tells more about a command.\n"
       "Exit status: 0 done, 1 wrong input, 2 claims not held, 3 interrupted.");
   Action action;
+  add_run_command(program, action);
   add_map_command(program, action);
   add_evaluate_command(program, action);
   add_render_command(program, action);

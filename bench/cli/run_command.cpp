@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "bench/cli/commands.h"
+#include "bench/cli/interrupt.h"
+#include "bench/cli/output_folder.h"
+#include "bench/cli/progress.h"
+#include "bench/csv_file.h"
+#include "bench/results_file.h"
+#include "bench/scenario/run_scenario.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+struct RunArguments {
+  std::string scenario;
+  bool quick = false;
+  bool restart = false;
+  bool strict = false;
+  int threads = 0;  // 0: as many as the machine has processors
+  std::optional<std::uint64_t> seed;
+  std::optional<int> run;
+  std::vector<std::string> settings;
+  std::string folder;
+};
+
+std::string folder_of(const RunArguments& arguments, const Scenario& scenario) {
+  if (!arguments.folder.empty()) return arguments.folder;
+  return "results/" + scenario.id + (scenario.quick ? "_quick" : "");
+}
+
+std::vector<std::string> command_of(const RunArguments& a) {
+  std::vector<std::string> command{"mapbed", "run", a.scenario};
+  if (a.quick) command.push_back("--quick");
+  if (a.threads > 0) command.insert(command.end(), {"-j", fmt::to_string(a.threads)});
+  if (a.seed) command.insert(command.end(), {"--seed", fmt::to_string(*a.seed)});
+  for (const std::string& setting : a.settings) command.insert(command.end(), {"--set", setting});
+  return command;
+}
+
+void print_claims(const Results& results) {
+  for (const ClaimResult& claim : results.claims) {
+    const char* verdict = !claim.judged ? "not judged" : claim.held ? "held" : "NOT HELD";
+    fmt::print("{:<10} {}\n           {}\n", verdict, claim.claim, claim.measured);
+  }
+}
+
+void print_result(const ScenarioRun& run, const std::string& folder) {
+  const auto total = run.results.runs.size();
+  const auto failed = std::count_if(run.results.runs.begin(), run.results.runs.end(),
+                                    [](const RunRow& row) { return !row.failure.empty(); });
+  fmt::print("{}: {} runs, {} of them failed; {} were done before, {} recordings made\n",
+             run.results.id, total, failed, run.done_before, run.recordings);
+  print_claims(run.results);
+  fmt::print("written to {}\n", folder);
+}
+
+bool all_held(const Results& results) {
+  return std::all_of(results.claims.begin(), results.claims.end(),
+                     [](const ClaimResult& claim) { return claim.held || !claim.judged; });
+}
+
+int print_one_run(const ScenarioPlan& plan, int number) {
+  if (number < 0 || number >= plan.runs()) {
+    throw InputError(
+        fmt::format("there is no run {}; this scenario has 0 to {}", number, plan.runs() - 1));
+  }
+  Results results = plan.results;
+  results.runs.push_back(repeat_run(plan, number));
+  fmt::print("{}", runs_csv(results));
+  return kDone;
+}
+
+int run(const RunArguments& arguments) {
+  const InterruptGuard interrupt;
+  ScenarioChoice choice{.quick = arguments.quick, .seed = arguments.seed};
+  for (const std::string& text : arguments.settings) {
+    choice.settings.push_back(parse_setting(text));
+  }
+  const ScenarioPlan plan = make_plan(load_scenario(arguments.scenario, choice));
+  if (arguments.run) return print_one_run(plan, *arguments.run);
+
+  ScenarioRunOptions options{.folder = folder_of(arguments, plan.scenario),
+                             .restart = arguments.restart,
+                             .command = command_of(arguments)};
+  const int processors = static_cast<int>(std::thread::hardware_concurrency());
+  options.threads = arguments.threads > 0 ? arguments.threads : std::max(1, processors);
+  make_output_folder(options.folder);
+  const ScenarioRun result = [&] {
+    Progress progress(plan.scenario.id, static_cast<std::size_t>(plan.runs()));
+    return run_scenario(plan, options, [&](std::size_t done, std::size_t) {
+      progress.advance_to(done);
+      return !interrupt.was_interrupted();
+    });
+  }();
+  if (!result.complete) {
+    fmt::print(stderr, "mapbed: interrupted after {} of {} runs; start again to go on\n",
+               result.results.runs.size(), plan.runs());
+    return kInterrupted;
+  }
+  print_result(result, options.folder);
+  return arguments.strict && !all_held(result.results) ? kClaimsNotHeld : kDone;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& program, Action& action) {
+  CLI::App* command =
+      program.add_subcommand("run", "Run a scenario: simulate, estimate, measure, judge");
+  const auto a = std::make_shared<RunArguments>();
+  command->add_option("SCENARIO", a->scenario, "a scenario's name or file (YAML)")->required();
+  command->add_flag("--quick", a->quick, "a reduced version, in seconds");
+  command->add_option("-j,--threads", a->threads, "runs at a time; all processors if left out")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--seed", a->seed, "the first seed");
+  command
+      ->add_option("--set", a->settings,
+                   "path=value, any option, also 'seeds=10' and the values of an axis: "
+                   "'people=[0, 5]'; may come again")
+      ->allow_extra_args(false);
+  command->add_option("--out", a->folder, "folder for the results; results/NAME if left out");
+  command->add_option("--run", a->run, "repeat the run of this number alone and print its row");
+  command->add_flag("--restart", a->restart, "throw away what an interrupted start has done");
+  command->add_flag("--strict", a->strict, "exit status 2 where a claim does not hold");
+  command->callback([a, &action] { action = [a] { return run(*a); }; });
+}
+
+}  // namespace mapbed

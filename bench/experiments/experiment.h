@@ -1,0 +1,84 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bench/results.h"
+#include "core/config/settings.h"
+#include "core/geometry/trajectory.h"
+#include "core/log/sensor_log.h"
+#include "core/random.h"
+#include "sim/recorder.h"
+#include "worlds/raster.h"
+
+namespace mapbed {
+
+// What a run works on. Only metrics may look beyond the log.
+struct RunInput {
+  SensorLog log;                         // empty where the experiment needs none
+  Trajectory truth;                      // world_from_robot, by time; empty: nobody knows
+  const Recording* recording = nullptr;  // null for a recorded log
+  // The world's true map with cells of this size [m]; none for a recorded log.
+  std::function<const TrueMap&(double resolution)> true_map = {};
+  Rng rng{0};
+  std::set<std::string> wanted;  // metrics; others need not be worked out
+  bool shown = false;            // pictures of this run are wanted too
+};
+
+// A file of a run's own, "maps/raw.png".
+struct ResultFile {
+  std::string path;
+  std::string content;
+};
+
+struct RunOutcome {
+  // By name; one that is left out has no value in this run.
+  std::vector<std::pair<std::string, double>> values;
+  std::string failure;  // in one line, for a run that did not come to what it should
+  std::vector<ResultFile> files;
+};
+
+// What a scenario's runs do. A new one is a file in this folder and a line in the table.
+struct Experiment {
+  std::string name;
+  std::string about;
+  bool needs_log = true;
+  std::vector<Metric> metrics;
+  // Applies settings to the options, which it gives back in full; throws InputError.
+  std::function<std::string(const Settings&)> complete_yaml;
+  std::function<RunOutcome(const Settings&, const RunInput&)> run;
+};
+
+const std::vector<Experiment>& experiments();
+
+// Throws InputError for an unknown name.
+const Experiment& experiment_by_name(const std::string& name);
+
+// One that has an options struct: `run` is called with the options and the input.
+template <class Options>
+Experiment make_experiment(const std::string& name, const std::string& about, bool needs_log,
+                           std::vector<Metric> metrics,
+                           RunOutcome (*run)(const Options&, const RunInput&)) {
+  const auto options_from = [name](const Settings& settings) {
+    Options options;
+    apply(settings, options_of(options), name);
+    return options;
+  };
+  return {name,
+          about,
+          needs_log,
+          std::move(metrics),
+          [options_from](const Settings& settings) {
+            Options options = options_from(settings);
+            return to_yaml(options_of(options));
+          },
+          [options_from, run](const Settings& settings, const RunInput& input) {
+            return run(options_from(settings), input);
+          }};
+}
+
+}  // namespace mapbed

@@ -1,0 +1,29 @@
+#include "bench/experiments/end_points.h"
+#include "bench/experiments/experiment.h"
+#include "bench/experiments/known_poses.h"
+#include "bench/experiments/matching_basin.h"
+#include "bench/experiments/odds_vs_counting.h"
+#include "bench/experiments/slam.h"
+#include "core/config/suggestion.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+
+const std::vector<Experiment>& experiments() {
+  static const std::vector<Experiment> table{
+      slam_experiment(),       odds_vs_counting_experiment(), known_poses_experiment(),
+      end_points_experiment(), matching_basin_experiment(),
+  };
+  return table;
+}
+
+const Experiment& experiment_by_name(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Experiment& experiment : experiments()) {
+    if (experiment.name == name) return experiment;
+    names.push_back(experiment.name);
+  }
+  throw InputError({}, "unknown experiment '" + name + "'", suggestion(name, names));
+}
+
+}  // namespace mapbed

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "algorithms/grid/occupancy_map.h"
+#include "worlds/raster.h"
+
+namespace mapbed {
+
+struct MapErrorOptions {
+  double occupied = 0.5;  // cells of at least this probability count as occupied
+  int tolerance = 1;      // [cells] by which a wall may be off, in x and y
+};
+
+// Occupied cells of a map in the world frame against the world's own. Only true cells near which
+// the map knows anything count: what the robot never saw says nothing about its map.
+struct MapErrors {
+  int occupied = 0;       // cells of the map
+  int right = 0;          // of these, with a true occupied cell within the tolerance
+  int true_occupied = 0;  // cells of the truth, near which the map knows something
+  int found = 0;          // of these, with an occupied cell of the map within the tolerance
+
+  double precision() const;  // NaN where there is nothing to count, as the others
+  double recall() const;
+  double f1() const;
+};
+
+MapErrors compare_maps(const OccupancyMap& map, const TrueMap& truth,
+                       const MapErrorOptions& options = {});
+
+}  // namespace mapbed

@@ -1,0 +1,109 @@
+#include "bench/scenario/journal.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "bench/csv_file.h"
+#include "core/input_error.h"
+#include "core/log/sha256.h"
+#include "core/text_file.h"
+
+namespace mapbed {
+namespace {
+
+constexpr std::size_t kChecksum = 16;  // [hexadecimal digits]
+constexpr std::size_t kFixedFields = 7;
+
+std::string with_checksum(const std::string& line) {
+  return sha256(line).substr(0, kChecksum) + "," + line;
+}
+
+std::string line_of(const Journal::Entry& entry) {
+  CsvRow row{fmt::to_string(entry.row.run),
+             fmt::to_string(entry.row.seed),
+             csv_number(entry.cost.seconds),
+             csv_number(entry.cost.recording_seconds),
+             csv_number(entry.cost.recorded_seconds),
+             csv_number(entry.cost.peak_memory),
+             entry.row.failure};
+  for (const double value : entry.row.values) row.push_back(csv_number(value));
+  return csv_line(row);
+}
+
+Journal::Entry entry_of(const CsvRow& row) {
+  Journal::Entry entry;
+  entry.row.run = entry.cost.run = std::stoi(row[0]);
+  entry.row.seed = std::stoull(row[1]);
+  entry.cost.seconds = parse_csv_number(row[2]);
+  entry.cost.recording_seconds = parse_csv_number(row[3]);
+  entry.cost.recorded_seconds = parse_csv_number(row[4]);
+  entry.cost.peak_memory = parse_csv_number(row[5]);
+  entry.row.failure = row[6];
+  for (std::size_t i = kFixedFields; i < row.size(); ++i) {
+    entry.row.values.push_back(parse_csv_number(row[i]));
+  }
+  return entry;
+}
+
+}  // namespace
+
+Journal::Journal(const std::string& path, const std::string& identity, std::size_t metrics)
+    : path_(path) {
+  const std::string text = std::filesystem::exists(path) ? read_text_file(path) : "";
+  file_ = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_APPEND, 0644);
+  if (file_ < 0) {
+    throw InputError({path}, std::string("cannot be written: ") + std::strerror(errno),
+                     "choose another folder with --out");
+  }
+  read(text, identity, metrics);
+}
+
+Journal::~Journal() {
+  close(file_);
+}
+
+// Keeps what is whole and cuts off the rest.
+void Journal::read(const std::string& text, const std::string& identity, std::size_t metrics) {
+  std::size_t whole = 0;
+  bool has_head = false;
+  for (std::size_t end = 0; (end = text.find('\n', whole)) != std::string::npos; whole = end + 1) {
+    const std::string line = text.substr(whole, end + 1 - whole);
+    const bool is_valid =
+        line.size() > kChecksum + 1 && line == with_checksum(line.substr(kChecksum + 1));
+    if (!is_valid) break;
+    const CsvRow row = parse_csv(path_, line.substr(kChecksum + 1)).front();
+    if (!has_head) {
+      has_head = true;
+      if (row.front() == identity) continue;
+      throw InputError({path_}, "these unfinished runs are of another configuration or program",
+                       "--restart throws them away, --out chooses another folder");
+    }
+    if (row.size() == kFixedFields + metrics) found_.push_back(entry_of(row));
+  }
+  if (ftruncate(file_, static_cast<off_t>(whole)) != 0) {
+    throw InputError({path_}, std::string("cannot be written: ") + std::strerror(errno));
+  }
+  if (!has_head) write_line(identity + "\n");
+}
+
+void Journal::append(const Entry& entry) {
+  write_line(line_of(entry));
+}
+
+// One call a line: a program that is killed leaves whole lines, and at most one torn one.
+void Journal::write_line(const std::string& line) {
+  const std::string text = with_checksum(line);
+  const std::scoped_lock lock(mutex_);
+  const ssize_t written = write(file_, text.data(), text.size());
+  if (written == static_cast<ssize_t>(text.size())) return;
+  const std::string reason = written < 0 ? std::strerror(errno) : "the disk is full";
+  throw InputError({path_}, "cannot be written: " + reason,
+                   "make room and start again; the runs so far are kept");
+}
+
+}  // namespace mapbed

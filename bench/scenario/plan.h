@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/experiments/experiment.h"
+#include "bench/results.h"
+#include "bench/scenario/log_source.h"
+#include "bench/scenario/scenario.h"
+
+namespace mapbed {
+
+// The runs of one level and variant.
+struct PlannedRuns {
+  DividedSettings settings;
+  std::string experiment_yaml;  // complete
+  SourcePlan source;            // empty where the experiment needs no log
+};
+
+// A scenario that was checked through and through: nothing in its file can stop it any more.
+struct ScenarioPlan {
+  Scenario scenario;
+  const Experiment* experiment = nullptr;
+  Results results;                   // all but the rows
+  std::vector<PlannedRuns> planned;  // by level and variant, the last one fastest
+  std::string config_yaml;           // complete, as it stands beside the results
+
+  int runs() const;
+  RunRow row(int run) const;  // number, level, variant and seed
+  const PlannedRuns& planned_of(const RunRow& row) const;
+};
+
+// Throws InputError with place, reason and remedy.
+ScenarioPlan make_plan(Scenario scenario);
+
+}  // namespace mapbed

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/results.h"
+#include "bench/scenario/plan.h"
+
+namespace mapbed {
+
+struct ScenarioRunOptions {
+  std::string folder;  // of the results; exists
+  int threads = 1;
+  bool restart = false;              // unfinished runs of before are thrown away
+  std::vector<std::string> command;  // as it was given, for the provenance
+};
+
+struct ScenarioRun {
+  Results results;
+  int done_before = 0;    // runs that an earlier start had done
+  int recordings = 0;     // made now
+  bool complete = false;  // false: interrupted; nothing but the journal was written
+};
+
+// Runs what is not done yet, judges, and writes:
+//
+//   config.yaml, runs.csv, summary.csv, claims.csv    the same bytes for the same seed
+//   cost.csv, provenance.json                         all that differs from run to run
+//   maps/, trajectories/                              of the first seed, by level and variant
+//
+// Until everything is done it writes below runs/ only, and goes on from there when it is started
+// again; an older result of the folder stays until then. `may_go_on` is asked often; false ends the
+// work with the runs that are under way. Throws InputError where another program is at work in the
+// folder, or it cannot be written.
+ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& options,
+                         const std::function<bool(std::size_t done, std::size_t total)>& may_go_on);
+
+// One run alone, nothing is written.
+RunRow repeat_run(const ScenarioPlan& plan, int run);
+
+}  // namespace mapbed

@@ -1,0 +1,179 @@
+#include "bench/scenario/runner.h"
+
+#include <atomic>
+#include <ctime>
+#include <limits>
+#include <map>
+#include <mutex>
+
+#include <sys/resource.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace mapbed {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// [s] of the calling thread.
+double processor_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);  // Linux counts in KiB
+}
+
+// Messages on one line, as rows have them.
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  return text;
+}
+
+// Runs that work on one recording.
+using Groups = std::vector<std::vector<int>>;
+
+std::string key_of(const ScenarioPlan& plan, const RunRow& row) {
+  const PlannedRuns& planned = plan.planned_of(row);
+  if (!plan.experiment->needs_log) return std::to_string(row.run);
+  const std::string seed = planned.source.depends_on_seed ? std::to_string(row.seed) : "";
+  return seed + "\n" + planned.source.key;
+}
+
+Groups groups_of(const ScenarioPlan& plan, const std::vector<int>& runs) {
+  std::map<std::string, std::size_t> by_key;
+  Groups groups;
+  for (const int run : runs) {
+    const auto [entry, is_new] = by_key.emplace(key_of(plan, plan.row(run)), groups.size());
+    if (is_new) groups.emplace_back();
+    groups[entry->second].push_back(run);
+  }
+  return groups;
+}
+
+// A failure of the machine, not of the run.
+[[noreturn]] void rethrow_bad_alloc() {
+  throw std::bad_alloc();
+}
+
+class Runner {
+ public:
+  Runner(const ScenarioPlan& plan, const RunnerCalls& calls) : plan_(plan), calls_(calls) {}
+
+  int recordings() const { return recordings_; }
+
+  void do_group(const std::vector<int>& runs) {
+    if (!calls_.may_go_on()) return;
+    std::unique_ptr<LogSource> source;
+    std::string failure;
+    double seconds = 0.0;
+    if (plan_.experiment->needs_log) {
+      const double start = processor_time();
+      try {
+        const RunRow first = plan_.row(runs.front());
+        source = open_source(plan_.planned_of(first).settings.source, first.seed);
+        ++recordings_;
+      } catch (const std::bad_alloc&) {
+        rethrow_bad_alloc();
+      } catch (const std::exception& error) {
+        failure = one_line(error.what());
+      }
+      seconds = processor_time() - start;
+    }
+    // Isolated: a thread that waits here shall not begin another group, with a recording more.
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t i) {
+        if (!calls_.may_go_on()) return;
+        RunResult result = failure.empty() ? done(runs[i], source.get()) : failed(runs[i], failure);
+        result.cost.recording_seconds = i == 0 ? seconds : 0.0;
+        const std::scoped_lock lock(mutex_);
+        calls_.done(std::move(result));
+      });
+    });
+  }
+
+ private:
+  RunResult done(int run, const LogSource* source) const {
+    const double start = processor_time();
+    RunOutcome outcome;
+    const RunRow row = plan_.row(run);
+    try {
+      outcome = outcome_of(row, source);
+    } catch (const std::bad_alloc&) {
+      rethrow_bad_alloc();
+    } catch (const std::exception& error) {
+      return failed(run, one_line(error.what()));
+    }
+    RunResult result{.row = row, .files = std::move(outcome.files)};
+    result.row.failure = std::move(outcome.failure);
+    for (const Metric& metric : plan_.results.metrics) {
+      result.row.values.push_back(kNone);
+      for (const auto& [name, value] : outcome.values) {
+        if (name == metric.name) result.row.values.back() = value;
+      }
+    }
+    result.cost = {.run = run, .seconds = processor_time() - start, .peak_memory = peak_memory()};
+    if (source != nullptr) result.cost.recorded_seconds = source->recorded_seconds();
+    return result;
+  }
+
+  RunOutcome outcome_of(const RunRow& row, const LogSource* source) const {
+    const PlannedRuns& planned = plan_.planned_of(row);
+    RunInput input;
+    if (source != nullptr) input = source->input(planned.settings.source, row.seed);
+    input.rng = Rng(row.seed).stream("experiment");
+    input.shown = row.seed == plan_.scenario.seed;
+    for (const Metric& metric : plan_.results.metrics) input.wanted.insert(metric.name);
+    return plan_.experiment->run(planned.settings.experiment, input);
+  }
+
+  RunResult failed(int run, const std::string& reason) const {
+    RunResult result{.row = plan_.row(run), .cost = {.run = run, .peak_memory = peak_memory()}};
+    result.row.failure = reason;
+    for (const Metric& metric : plan_.results.metrics) {
+      result.row.values.push_back(metric.when_failed);
+    }
+    return result;
+  }
+
+  const ScenarioPlan& plan_;
+  const RunnerCalls& calls_;
+  std::mutex mutex_;
+  std::atomic<int> recordings_ = 0;
+};
+
+}  // namespace
+
+int do_runs(const ScenarioPlan& plan, const std::vector<int>& runs, int threads,
+            const RunnerCalls& calls) {
+  const auto count = static_cast<std::size_t>(threads);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
+  tbb::task_arena arena(threads);
+  const Groups groups = groups_of(plan, runs);
+  Runner runner(plan, calls);
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, groups.size(), 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) runner.do_group(groups[i]);
+        },
+        tbb::simple_partitioner{});
+  });
+  return runner.recordings();
+}
+
+int recordings_needed(const ScenarioPlan& plan) {
+  if (!plan.experiment->needs_log) return 0;
+  std::vector<int> all(static_cast<std::size_t>(plan.runs()));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  return static_cast<int>(groups_of(plan, all).size());
+}
+
+}  // namespace mapbed

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/experiments/experiment.h"
+#include "bench/scenario/journal.h"
+#include "bench/scenario/plan.h"
+
+namespace mapbed {
+
+struct RunResult {
+  RunRow row;
+  CostRow cost;
+  std::vector<ResultFile> files;
+};
+
+// What the runner tells, from several threads but one at a time.
+struct RunnerCalls {
+  std::function<void(RunResult)> done;  // a run is over; throws to stop everything
+  std::function<bool()> may_go_on;      // false: no further run is started
+};
+
+// Does the runs of these numbers, `threads` at a time at most; runs that share a recording share
+// it, and no more recordings are in memory than there are threads. Runs that fail are told like
+// others. Gives the number of recordings that were made.
+int do_runs(const ScenarioPlan& plan, const std::vector<int>& runs, int threads,
+            const RunnerCalls& calls);
+
+// How many recordings all runs of the scenario need.
+int recordings_needed(const ScenarioPlan& plan);
+
+}  // namespace mapbed

@@ -1,0 +1,286 @@
+#include "bench/scenario/scenario.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "core/check.h"
+#include "core/config/config_node.h"
+#include "core/config/suggestion.h"
+#include "core/data_path.h"
+
+namespace mapbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kDeepestBase = 8;  // files that build on each other
+
+// What --quick makes less of.
+struct QuickRules {
+  int seeds = 1;
+  int levels = 2;  // of each axis, spread evenly from the first to the last
+  Settings settings;
+};
+
+struct Reading {
+  Scenario scenario;
+  QuickRules quick;
+};
+
+const std::vector<std::string> kKeys{"about",   "thesis", "base", "experiment", "sweep",
+                                     "compare", "seeds",  "seed", "metrics",    "plots",
+                                     "claims",  "quick",  "set"};
+
+// "2 deg" is 2 and "deg"; false where the text does not begin with a number.
+bool split_quantity(const std::string& text, double& number, std::string& unit) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{}) return false;
+  unit.assign(end, text.data() + text.size());
+  unit.erase(0, unit.find_first_not_of(' '));
+  return unit.empty() || *end == ' ';
+}
+
+SweepAxis swept_axis(const std::string& path, const ConfigNode& node) {
+  std::vector<std::string> texts;
+  for (const ConfigNode& item : node.items()) {
+    const std::string text = item.flow_text();
+    item.use_all();
+    if (std::find(texts.begin(), texts.end(), text) != texts.end()) {
+      throw InputError(item.place(),
+                       in_quotes(text) + " comes twice in the sweep of '" + path + "'",
+                       "keep one of them");
+    }
+    texts.push_back(text);
+  }
+  if (texts.empty()) {
+    throw InputError(node.place(), "the sweep of '" + path + "' has no values",
+                     "give one or more, or leave the sweep out");
+  }
+  return axis_of(path, std::move(texts));
+}
+
+std::vector<Variant> variants_of(const ConfigNode& node) {
+  std::vector<Variant> variants;
+  for (const std::string& name : node.keys()) {
+    variants.push_back({name, settings_of(node.at(name))});
+  }
+  if (variants.empty()) {
+    throw InputError(node.place(), "nothing to compare", "give one or more variants");
+  }
+  return variants;
+}
+
+QuickRules quick_rules_of(const ConfigNode& node) {
+  QuickRules rules;
+  if (const ConfigNode* seeds = node.find("seeds")) {
+    rules.seeds = seeds->whole_number(at_least(1));
+  }
+  if (const ConfigNode* levels = node.find("levels")) {
+    rules.levels = levels->whole_number(at_least(1));
+  }
+  if (const ConfigNode* set = node.find("set")) rules.settings = settings_of(*set);
+  return rules;
+}
+
+void append(Settings& all, const Settings& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+// Keys that are no part of the form of a scenario are settings.
+void read_settings(const ConfigNode& file, Scenario& scenario) {
+  for (const std::string& key : file.keys()) {
+    if (std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end()) continue;
+    const ConfigNode& node = file.at(key);
+    if (node.kind() != ConfigNode::Kind::map) {
+      scenario.settings.push_back({key, node.flow_text(), node.place()});
+      node.use_all();
+      continue;
+    }
+    for (Setting setting : settings_of(node)) {
+      setting.path = key + "." + setting.path;
+      scenario.settings.push_back(std::move(setting));
+    }
+  }
+  if (const ConfigNode* set = file.find("set")) append(scenario.settings, settings_of(*set));
+}
+
+void read_form(const ConfigNode& file, Reading& into) {
+  Scenario& scenario = into.scenario;
+  const auto read = [&file](const char* key, std::string& text) {
+    if (const ConfigNode* node = file.find(key)) text = node->text();
+  };
+  read("about", scenario.about);
+  read("thesis", scenario.thesis);
+  read("experiment", scenario.experiment);
+  if (const ConfigNode* sweep = file.find("sweep")) {
+    scenario.axes.clear();
+    for (const std::string& path : sweep->keys()) {
+      scenario.axes.push_back(swept_axis(path, sweep->at(path)));
+    }
+  }
+  if (const ConfigNode* compare = file.find("compare")) scenario.variants = variants_of(*compare);
+  if (const ConfigNode* seeds = file.find("seeds")) {
+    scenario.seeds = seeds->whole_number(between(1, 100'000));
+  }
+  if (const ConfigNode* seed = file.find("seed")) scenario.seed = seed->unsigned_number();
+  if (const ConfigNode* metrics = file.find("metrics")) scenario.metrics = metrics->texts();
+  if (const ConfigNode* plots = file.find("plots")) {
+    scenario.plots.clear();
+    for (const ConfigNode& plot : plots->items()) scenario.plots.push_back(plot_of(plot));
+  }
+  if (const ConfigNode* claims = file.find("claims")) {
+    scenario.claims.clear();
+    for (const ConfigNode& claim : claims->items()) scenario.claims.push_back(claim_of(claim));
+  }
+  if (const ConfigNode* quick = file.find("quick")) into.quick = quick_rules_of(*quick);
+}
+
+// The file's base first, so that the file itself has the last word.
+void read_scenario(const fs::path& path, std::size_t depth, Reading& into) {
+  const ConfigNode file = load_config(path.string());
+  if (const ConfigNode* base = file.find("base")) {
+    if (depth >= kDeepestBase) {
+      throw InputError(base->place(), "these files build on each other without end",
+                       "take one 'base' out");
+    }
+    read_scenario(path.parent_path() / base->text(), depth + 1, into);
+  }
+  read_form(file, into);
+  read_settings(file, into.scenario);
+  file.check_all_used();
+}
+
+std::vector<std::string> spread(const std::vector<std::string>& texts, int count) {
+  const auto wanted = static_cast<std::size_t>(count);
+  if (texts.size() <= wanted) return texts;
+  if (wanted == 1) return {texts.front()};
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < wanted; ++i) {
+    result.push_back(texts[(i * (texts.size() - 1) + (wanted - 1) / 2) / (wanted - 1)]);
+  }
+  return result;
+}
+
+void make_quick(Reading& reading) {
+  Scenario& scenario = reading.scenario;
+  scenario.quick = true;
+  scenario.seeds = std::min(scenario.seeds, reading.quick.seeds);
+  for (SweepAxis& axis : scenario.axes) {
+    axis = axis_of(axis.path, spread(axis.texts, reading.quick.levels));
+  }
+  append(scenario.settings, reading.quick.settings);
+}
+
+void apply_choice(const ScenarioChoice& choice, Scenario& scenario) {
+  if (choice.seed) scenario.seed = *choice.seed;
+  for (const Setting& setting : choice.settings) {
+    const auto axis = std::find_if(scenario.axes.begin(), scenario.axes.end(),
+                                   [&](const SweepAxis& a) { return a.path == setting.path; });
+    if (axis != scenario.axes.end()) {
+      const ConfigNode node = parse_config(setting.text, setting.place);
+      *axis = node.kind() == ConfigNode::Kind::list ? swept_axis(setting.path, node)
+                                                    : axis_of(setting.path, {setting.text});
+    } else if (setting.path == "seeds") {
+      scenario.seeds = ConfigNode(setting.text, setting.place).whole_number(between(1, 100'000));
+    } else if (setting.path == "experiment") {
+      scenario.experiment = setting.text;
+    } else if (std::find(kKeys.begin(), kKeys.end(), setting.path) != kKeys.end()) {
+      throw InputError(setting.place, in_quotes(setting.path) + " is not for --set",
+                       "change it in the scenario file");
+    } else {
+      scenario.overrides.push_back(setting);
+    }
+  }
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::string& name_or_path, const ScenarioChoice& choice) {
+  const fs::path path = find_data_file("scenario", "scenarios", name_or_path);
+  Reading reading;
+  reading.scenario.id = path.stem().string();
+  reading.scenario.path = path.string();
+  read_scenario(path, 0, reading);
+  if (choice.quick) make_quick(reading);
+  apply_choice(choice, reading.scenario);
+  if (reading.scenario.variants.empty()) reading.scenario.variants.push_back({"all", {}});
+  return std::move(reading.scenario);
+}
+
+std::vector<std::string> scenario_names() {
+  return data_names("scenarios");
+}
+
+SweepAxis axis_of(const std::string& path, std::vector<std::string> texts) {
+  SweepAxis axis{path, std::move(texts), {}, {}};
+  for (std::size_t i = 0; i < axis.texts.size(); ++i) {
+    double number = 0.0;
+    std::string unit;
+    if (!split_quantity(axis.texts[i], number, unit)) return {path, axis.texts, {}, {}};
+    if (i == 0) axis.unit = unit;
+    if (unit != axis.unit) return {path, axis.texts, {}, {}};
+    axis.numbers.push_back(number);
+  }
+  return axis;
+}
+
+PlotSpec plot_of(const ConfigNode& node) {
+  PlotSpec plot;
+  const auto read = [&node](const char* key, std::string& text) {
+    if (const ConfigNode* found = node.find(key)) text = found->text();
+  };
+  plot.y = node.at("y").text();
+  plot.file = plot.y;
+  read("file", plot.file);
+  read("title", plot.title);
+  read("x", plot.x);
+  read("lines_by", plot.lines_by);
+  read("x_label", plot.x_label);
+  read("y_label", plot.y_label);
+  read("thesis", plot.thesis);
+  if (plot.x.empty()) plot.kind = PlotKind::bars;
+  if (const ConfigNode* kind = node.find("kind")) {
+    plot.kind = static_cast<PlotKind>(kind->choice({"lines", "bars", "points"}));
+  }
+  if (const ConfigNode* variants = node.find("variants")) plot.variants = variants->texts();
+  if (const ConfigNode* log_x = node.find("log_x")) plot.log_x = log_x->flag();
+  if (const ConfigNode* log_y = node.find("log_y")) plot.log_y = log_y->flag();
+  if (plot.file.find_first_of("/\\ ") != std::string::npos) {
+    throw InputError(node.place(), in_quotes(plot.file) + " is no name for a picture",
+                     "use letters, digits and '_'");
+  }
+  return plot;
+}
+
+std::vector<Level> levels_of(const std::vector<SweepAxis>& axes) {
+  std::vector<Level> levels{Level{}};
+  for (const SweepAxis& axis : axes) {
+    std::vector<Level> finer;
+    for (const Level& level : levels) {
+      for (std::size_t i = 0; i < axis.texts.size(); ++i) {
+        finer.push_back(level);
+        finer.back().choice.push_back(static_cast<int>(i));
+      }
+    }
+    levels = std::move(finer);
+  }
+  return levels;
+}
+
+Settings settings_of(const Scenario& scenario, const Level& level, const Variant& variant) {
+  Settings settings = scenario.settings;
+  append(settings, variant.settings);
+  append(settings, scenario.overrides);
+  for (std::size_t i = 0; i < scenario.axes.size(); ++i) {
+    const SweepAxis& axis = scenario.axes[i];
+    settings.push_back(
+        {axis.path, axis.texts[static_cast<std::size_t>(level.choice[i])], {scenario.path, 0}});
+  }
+  return settings;
+}
+
+}  // namespace mapbed

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/results.h"
+#include "bench/scenario/claim.h"
+#include "core/config/config_node.h"
+#include "core/config/settings.h"
+
+namespace mapbed {
+
+// One file, one experiment.
+//
+//   about: Does leaving people out of the map keep it straight as odometry gets worse?
+//   thesis: Figure 3.10
+//   base: parts/museum_tour.yaml          # another file of this kind that this one builds on
+//   experiment: slam                      # 'mapbed list experiments'; slam where left out
+//   world: museum                         # with robot, path and people: a simulated log;
+//   robot: b21r                           # 'log: NAME' instead: a recorded one
+//   sweep:
+//     robot.odometry.rotation_sigma: [0 deg, 1 deg, 2 deg]
+//   compare:
+//     raw: {estimator: odometry}
+//     matched: {estimator: scan_matching}
+//   seeds: 50                             # 50 runs of each, with the seeds seed, seed + 1, …
+//   metrics: [translation_error, failures]
+//   plots:
+//     - {file: error, x: robot.odometry.rotation_sigma, y: translation_error}
+//   claims:
+//     - {metric: failures, of: matched, at_most: raw, at: every level}
+//   quick: {seeds: 2, levels: 2}          # what --quick makes less of; `set` for more
+//
+// Every other key is an option of the simulation (world.…, robot.…, simulation.…, driver.…,
+// recorder.…), of how a log is read (log.…) or of the experiment, nested or as a dotted path.
+struct Variant {
+  std::string name;
+  Settings settings;
+};
+
+struct Scenario {
+  std::string id;    // the file's name without .yaml
+  std::string path;  // of the file
+  std::string about;
+  std::string thesis;
+  std::string experiment = "slam";
+  Settings settings;   // of all runs
+  Settings overrides;  // from the command line, over everything but the axes
+  std::vector<SweepAxis> axes;
+  std::vector<Variant> variants;  // at least one; one of the name "all" where none are compared
+  int seeds = 1;
+  std::uint64_t seed = 1;
+  std::vector<std::string> metrics;
+  std::vector<PlotSpec> plots;
+  std::vector<Claim> claims;
+  bool quick = false;
+};
+
+struct ScenarioChoice {
+  bool quick = false;
+  std::optional<std::uint64_t> seed = {};
+  Settings settings = {};  // --set; 'seeds' too, and an axis, which then has these values only
+};
+
+// By name in scenarios/ or by path. Throws InputError with place, reason and remedy. What can only
+// be known with the experiment (options, metrics, claims) is checked by make_plan.
+Scenario load_scenario(const std::string& name_or_path, const ScenarioChoice& choice = {});
+
+std::vector<std::string> scenario_names();
+
+// Every combination of the axes' values, the last axis fastest.
+std::vector<Level> levels_of(const std::vector<SweepAxis>& axes);
+
+// An axis of these values; with their numbers where they are numbers of one unit.
+SweepAxis axis_of(const std::string& path, std::vector<std::string> texts);
+
+// An entry of `plots`.
+PlotSpec plot_of(const ConfigNode& node);
+
+// What differs from the defaults in the runs of a level and variant; the later of two wins.
+Settings settings_of(const Scenario& scenario, const Level& level, const Variant& variant);
+
+}  // namespace mapbed
