@@ -1,6 +1,7 @@
 #include "bench/simulate.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -51,13 +52,15 @@ Settings settings_of_others(const Settings& all) {
   return result;
 }
 
-// What differs from the world's defaults.
-std::string text_of(const Settings& settings) {
+// All of them, indented; a world file has none.
+std::string world_options(const std::string& world, const Settings& settings) {
   std::string text;
-  for (const Setting& setting : settings) {
-    text += (text.empty() ? "" : ", ") + setting.path + ": " + setting.text;
+  for (const WorldKind& kind : world_kinds()) {
+    if (kind.name != world) continue;
+    std::istringstream lines(kind.complete_yaml(settings));
+    for (std::string line; std::getline(lines, line);) text += "  " + line + "\n";
   }
-  return "{" + text + "}";
+  return text;
 }
 
 // A driver who is told measurements reacts to their noise, which then belongs to the recording.
@@ -133,8 +136,8 @@ PreparedSimulation prepare_simulation(const SimulationPlan& plan) {
   prepared.driver = options.driver;
   prepared.recorder = options.recorder;
   const std::string names =
-      fmt::format("world: {}\nworld_settings: {}\npath: {}\n", plan.world,
-                  text_of(settings_of_world(plan.settings)), prepared.path.name);
+      fmt::format("world: {}\npath: {}\nworld_options:\n{}", plan.world, prepared.path.name,
+                  world_options(plan.world, settings_of_world(plan.settings)));
   prepared.config = names + to_yaml(options_of(options));
   Robot noiseless = without_noise(prepared.robot, prepared.recorder);
   Options rest{.robot = noiseless,

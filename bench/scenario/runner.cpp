@@ -6,10 +6,11 @@
 #include <map>
 #include <mutex>
 
-#include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include "bench/scenario/memory_gate.h"
 
 namespace mapbed {
 namespace {
@@ -21,12 +22,6 @@ double processor_time() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-double peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);  // Linux counts in KiB
 }
 
 // Messages on one line, as rows have them.
@@ -58,10 +53,16 @@ Groups groups_of(const ScenarioPlan& plan, const std::vector<int>& runs) {
   return groups;
 }
 
-// A failure of the machine, not of the run.
-[[noreturn]] void rethrow_bad_alloc() {
-  throw std::bad_alloc();
-}
+class Inside {
+ public:
+  explicit Inside(MemoryGate& gate) : gate_(gate) { gate_.enter(); }
+  ~Inside() { gate_.leave(); }
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+
+ private:
+  MemoryGate& gate_;
+};
 
 class Runner {
  public:
@@ -71,6 +72,7 @@ class Runner {
 
   void do_group(const std::vector<int>& runs) {
     if (!calls_.may_go_on()) return;
+    const Inside inside(gate_);
     std::unique_ptr<LogSource> source;
     std::string failure;
     double seconds = 0.0;
@@ -81,7 +83,7 @@ class Runner {
         source = open_source(plan_.planned_of(first).settings.source, first.seed);
         ++recordings_;
       } catch (const std::bad_alloc&) {
-        rethrow_bad_alloc();
+        throw;  // a failure of the machine, not of the run
       } catch (const std::exception& error) {
         failure = one_line(error.what());
       }
@@ -107,7 +109,7 @@ class Runner {
     try {
       outcome = outcome_of(row, source);
     } catch (const std::bad_alloc&) {
-      rethrow_bad_alloc();
+      throw;
     } catch (const std::exception& error) {
       return failed(run, one_line(error.what()));
     }
@@ -145,6 +147,7 @@ class Runner {
 
   const ScenarioPlan& plan_;
   const RunnerCalls& calls_;
+  MemoryGate gate_{available_memory, peak_memory};
   std::mutex mutex_;
   std::atomic<int> recordings_ = 0;
 };

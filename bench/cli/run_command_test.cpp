@@ -1,0 +1,163 @@
+// `mapbed run` from a scenario file to its results.
+
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "bench/cli/program_under_test.h"
+#include "bench/results_file.h"
+#include "core/random.h"
+#include "core/testing/temporary_folder.h"
+#include "core/text_file.h"
+
+namespace mapbed {
+namespace {
+
+using ::testing::HasSubstr;
+
+namespace fs = std::filesystem;
+
+// 24 runs on 6 recordings of four seconds.
+constexpr const char* kDrives =
+    "about: a few short drives\n"
+    "world: office\n"
+    "robot: pioneer\n"
+    "people: 2\n"
+    "recorder.longest: 4 s\n"
+    "sweep: {robot.odometry.rotation_sigma: [0 deg, 3 deg]}\n"
+    "compare: {raw: {estimator: odometry}, matched: {estimator: scan_matching}}\n"
+    "seeds: 6\n"
+    "metrics: [translation_error, largest_error, failures, map_f1]\n"
+    "claims: [{metric: failures, of: matched, at_most: raw}]\n";
+
+class RunCommand : public ::testing::Test {
+ protected:
+  RunCommand() { write("drives.yaml", kDrives); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.file(name)) << text;
+  }
+  Outcome run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"run", "./drives.yaml"});
+    return run_mapbed(arguments, folder_.file("."));
+  }
+  void expect_same_results(const std::string& a, const std::string& b) const {
+    for (const char* name : {"config.yaml", "runs.csv", "summary.csv", "claims.csv"}) {
+      EXPECT_EQ(read_text_file(folder_.file(a + "/" + name)),
+                read_text_file(folder_.file(b + "/" + name)))
+          << name;
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.file(a))) {
+      const fs::path other = folder_.file(b) / fs::relative(entry.path(), folder_.file(a));
+      ASSERT_TRUE(fs::exists(other)) << other;
+      const bool is_picture =
+          entry.path().extension() == ".png" || entry.path().extension() == ".tum";
+      if (!is_picture) continue;
+      EXPECT_EQ(read_text_file(entry.path()), read_text_file(other)) << other;
+    }
+    EXPECT_FALSE(fs::exists(folder_.file(b + "/runs")));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RunCommand, GivesTheSameBytesWithAnyNumberOfThreads) {
+  for (const char* threads : {"1", "2", "8"}) {
+    const Outcome outcome = run({"-j", threads, "--out", std::string("j") + threads});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("6 recordings made"));
+  }
+  expect_same_results("j1", "j2");
+  expect_same_results("j1", "j8");
+  const Results results = load_results(folder_.file("j1"));
+  EXPECT_EQ(results.runs.size(), 24u);
+  EXPECT_EQ(results.summary.size(), 2u * 2u * 4u);
+  EXPECT_EQ(results.claims.size(), 1u);
+}
+
+TEST_F(RunCommand, GoesOnAfterAKillAtAnyMoment) {
+  ASSERT_EQ(run({"-j", "2", "--out", "whole"}).status, 0);
+  Rng rng(11);
+  for (int round = 0; round < 12; ++round) {
+    SCOPED_TRACE(round);
+    fs::remove_all(folder_.file("cut"));
+    for (int kill = 0; kill < 3; ++kill) {
+      run_shell(fmt::format("timeout -s KILL {:.3f} $MAPBED run ./drives.yaml -j 2 --out cut",
+                            rng.uniform(0.02, 0.4)),
+                folder_.file("."));
+    }
+    const Outcome outcome = run({"-j", "2", "--out", "cut"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    expect_same_results("whole", "cut");
+  }
+}
+
+TEST_F(RunCommand, RepeatsOneRunAlone) {
+  ASSERT_EQ(run({"--out", "all"}).status, 0);
+  const Outcome outcome = run({"--run", "17"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string row = outcome.out.substr(outcome.out.find('\n') + 1);
+  EXPECT_THAT(row, ::testing::StartsWith("17,"));
+  EXPECT_THAT(read_text_file(folder_.file("all/runs.csv")), HasSubstr(row));
+}
+
+TEST_F(RunCommand, DoesNothingTwice) {
+  ASSERT_EQ(run({"--out", "r"}).status, 0);
+  const std::string before = read_text_file(folder_.file("r/provenance.json"));
+  const Outcome again = run({"--out", "r"});
+  EXPECT_THAT(again.out, HasSubstr("24 were done before, 0 recordings made"));
+  EXPECT_EQ(read_text_file(folder_.file("r/provenance.json")), before);
+}
+
+TEST_F(RunCommand, TheExitStatusTellsWhetherClaimsHold) {
+  write("no.yaml", "base: drives.yaml\nseeds: 1\nclaims: [{metric: largest_error, below: 0 m}]\n");
+  const auto status = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"run", "./no.yaml", "--out", "no"});
+    return run_mapbed(more, folder_.file(".")).status;
+  };
+  EXPECT_EQ(status({}), 0);
+  EXPECT_EQ(status({"--strict"}), 2);
+}
+
+TEST_F(RunCommand, RefusesBadInputInOneLine) {
+  const auto refuse = [&](const std::vector<std::string>& arguments, const std::string& message) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+  };
+  refuse({"--set", "robot.odometry.rotaton_sigma=1 deg"}, "did you mean 'rotation_sigma'?");
+  refuse({"--set", "seeds=0"}, "too small");
+  refuse({"--set", "seeds=90000"}, "this makes 360000 runs");
+  refuse({"--set", "robot=pionier"}, "did you mean 'pioneer'?");
+  refuse({"--out", "/proc/results"}, "/proc/results: cannot be made");
+  refuse({"--run", "24"}, "there is no run 24");
+  const Outcome unknown = run_mapbed({"run", "ch2_raw_odometri"}, folder_.file("."));
+  EXPECT_EQ(unknown.status, 1);
+  EXPECT_THAT(unknown.err, HasSubstr("did you mean 'ch2_raw_odometry'?"));
+}
+
+TEST_F(RunCommand, TwoAtOnceInOneFolderAreOneTooMany) {
+  const Outcome outcome = run_shell(
+      "mkdir r; flock r/.lock sleep 5 & sleep 0.3; $MAPBED run ./drives.yaml --out r; s=$?; "
+      "kill %1 2>/dev/null; exit $s",
+      folder_.file("."));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("another run is at work in this folder"));
+}
+
+TEST_F(RunCommand, AFullDiskIsToldAndNothingIsLost) {
+  // 1 KiB is the most that a file may grow to.
+  const Outcome full = run_shell(
+      "trap '' XFSZ; ulimit -f 1; $MAPBED run ./drives.yaml -j 1 --out r", folder_.file("."));
+  EXPECT_EQ(full.status, 1);
+  EXPECT_THAT(full.err, HasSubstr("r/runs/"));
+  const Outcome after = run({"-j", "1", "--out", "r"});
+  EXPECT_EQ(after.status, 0) << after.err;
+  ASSERT_EQ(run({"-j", "1", "--out", "whole"}).status, 0);
+  expect_same_results("whole", "r");
+}
+
+}  // namespace
+}  // namespace mapbed

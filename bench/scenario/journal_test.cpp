@@ -1,0 +1,58 @@
+#include "bench/scenario/journal.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "bench/scenario/folder_lock.h"
+#include "core/testing/temporary_folder.h"
+#include "core/testing/throws_input_error.h"
+#include "core/text_file.h"
+
+namespace mapbed {
+namespace {
+
+Journal::Entry entry(int run, double value) {
+  return {{.run = run, .seed = 9, .values = {value}, .failure = "a, \"b\""}, {.run = run}};
+}
+
+TEST(Journal, ATornLineDoesNotCountWhereverItWasCut) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("journal");
+  {
+    Journal journal(path, "identity", 1);
+    journal.append(entry(3, 0.1));
+    journal.append(entry(5, 0.2));
+  }
+  const std::string whole = read_text_file(path);
+  const std::size_t last = whole.rfind('\n', whole.size() - 2) + 1;
+  for (std::size_t cut = last; cut <= whole.size(); ++cut) {
+    std::ofstream(path, std::ios::binary) << whole.substr(0, cut);
+    Journal journal(path, "identity", 1);
+    ASSERT_EQ(journal.found().size(), cut == whole.size() ? 2u : 1u) << cut;
+    EXPECT_EQ(journal.found()[0].row.run, 3);
+    EXPECT_EQ(journal.found()[0].row.values[0], 0.1);
+    EXPECT_EQ(journal.found()[0].row.failure, "a, \"b\"");
+    journal.append(entry(7, 0.3));  // goes on behind the last whole line
+  }
+  EXPECT_EQ(Journal(path, "identity", 1).found().back().row.run, 7);
+}
+
+TEST(Journal, RunsOfAnotherConfigurationAreNotMixedIn) {
+  const TemporaryFolder folder;
+  { Journal journal(folder.file("journal"), "one", 1); }
+  EXPECT_INPUT_ERROR(Journal(folder.file("journal"), "other", 1), "--restart");
+}
+
+TEST(FolderLock, LetsOneInAtATime) {
+  const TemporaryFolder folder;
+  {
+    const FolderLock lock(folder.file("."));
+    EXPECT_INPUT_ERROR(FolderLock(folder.file(".")), "another run is at work in this folder");
+  }
+  const FolderLock again(folder.file("."));
+}
+
+}  // namespace
+}  // namespace mapbed

@@ -1,0 +1,102 @@
+#include "bench/scenario/scenario.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "bench/scenario/plan.h"
+#include "core/testing/temporary_folder.h"
+#include "core/testing/throws_input_error.h"
+
+namespace mapbed {
+namespace {
+
+using ::testing::ElementsAre;
+
+class ScenarioFile : public ::testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::string& yaml) const {
+    std::ofstream(folder_.file(name)) << yaml;
+    return folder_.file(name);
+  }
+  ScenarioPlan plan(const std::string& yaml, const ScenarioChoice& choice = {}) const {
+    return make_plan(load_scenario(write("x.yaml", yaml), choice));
+  }
+
+  TemporaryFolder folder_;
+};
+
+constexpr const char* kCells =
+    "experiment: odds_vs_counting\n"
+    "sweep: {hits: [1, 2, 4], misses: [0, 3]}\n"
+    "compare: {a: {model: counting}, b: {model: odds}}\n"
+    "metrics: [occupancy]\n";
+
+TEST_F(ScenarioFile, RunsEveryLevelVariantAndSeed) {
+  const ScenarioPlan plan = this->plan(kCells + std::string("seeds: 5\nseed: 3\n"));
+  EXPECT_EQ(plan.runs(), 3 * 2 * 2 * 5);
+  const RunRow last = plan.row(plan.runs() - 1);
+  EXPECT_EQ(last.seed, 7u);
+  EXPECT_EQ(level_text(plan.results, last.level), "hits = 4, misses = 3");
+  EXPECT_EQ(plan.results.variants[static_cast<std::size_t>(last.variant)], "b");
+}
+
+TEST_F(ScenarioFile, QuickKeepsTheEndsOfEachAxis) {
+  const ScenarioPlan plan =
+      this->plan(kCells + std::string("seeds: 5\nquick: {seeds: 2, levels: 2}\n"), {.quick = true});
+  EXPECT_THAT(plan.results.axes[0].texts, ElementsAre("1", "4"));
+  EXPECT_EQ(plan.runs(), 2 * 2 * 2 * 2);
+}
+
+TEST_F(ScenarioFile, SetFromTheCommandLineHasTheLastWord) {
+  const ScenarioChoice choice{.settings = {parse_setting("hits=[7, 8]"), parse_setting("seeds=4"),
+                                           parse_setting("odds.p_occ=0.9")}};
+  const ScenarioPlan plan = this->plan(kCells + std::string("odds.p_occ: 0.7\n"), choice);
+  EXPECT_THAT(plan.results.axes[0].texts, ElementsAre("7", "8"));
+  EXPECT_EQ(plan.scenario.seeds, 4);
+  EXPECT_THAT(plan.config_yaml, ::testing::HasSubstr("p_occ: 0.9"));
+}
+
+TEST_F(ScenarioFile, ABaseIsReadFirst) {
+  write("base.yaml", kCells + std::string("seeds: 5\nmisses: 1\n"));
+  const ScenarioPlan plan = this->plan("base: base.yaml\nseeds: 2\nsweep: {hits: [9]}\n");
+  EXPECT_EQ(plan.runs(), 1 * 2 * 2);
+  EXPECT_THAT(plan.config_yaml, ::testing::HasSubstr("misses: 1"));
+}
+
+TEST_F(ScenarioFile, AnAxisKnowsItsNumbersAndUnit) {
+  const SweepAxis lengths = axis_of("x", {"2 cm", "5 cm"});
+  EXPECT_EQ(lengths.unit, "cm");
+  EXPECT_THAT(lengths.numbers, ElementsAre(2.0, 5.0));
+  EXPECT_TRUE(axis_of("x", {"2 cm", "5 m"}).numbers.empty());
+  EXPECT_TRUE(axis_of("x", {"left", "right"}).numbers.empty());
+}
+
+TEST_F(ScenarioFile, IsRefusedWithPlaceAndRemedy) {
+  const auto refuse = [&](const std::string& more, const std::string& message) {
+    EXPECT_INPUT_ERROR(plan(kCells + more), message);
+  };
+  refuse("seedz: 3\n", "x.yaml:5: unknown key 'seedz'; did you mean 'seeds'?");
+  refuse("odds.p_ock: 0.7\n", "x.yaml:5: unknown key 'p_ock' in odds_vs_counting.odds; did you");
+  refuse("odds.p_occ: 7\n", "x.yaml:5: '7' is too large");
+  refuse("seeds: 0\n", "'0' is too small");
+  refuse("seeds: 50000\n", "this makes 600000 runs");
+  refuse("world: office\n", "'world' says nothing to the experiment odds_vs_counting");
+  refuse("claims: [{metric: occupance, at_most: 1}]\n", "did you mean 'occupancy'?");
+  refuse("claims: [{metric: occupancy, of: c, at_most: 1}]\n", "'c' is not compared");
+  refuse("claims: [{metric: occupancy, at_most: c}]\n", "'c' is neither a variant nor a number");
+  refuse("claims: [{metric: occupancy}]\n", "compares with nothing");
+  refuse("claims: [{metric: occupancy, equals: 1}]\n", "nothing about how exact");
+  refuse("claims: [{metric: occupancy, above: 0, at: {hits: 3}}]\n", "has no value '3'");
+  refuse("plots: [{x: hitz, y: occupancy}]\n", "did you mean 'hits'?");
+  EXPECT_INPUT_ERROR(plan("experiment: odds_vs_count\nmetrics: [a]\n"),
+                     "did you mean 'odds_vs_counting'?");
+  EXPECT_INPUT_ERROR(plan("experiment: odds_vs_counting\nsweep: {hits: []}\nmetrics: [occupancy]"),
+                     "the sweep of 'hits' has no values");
+  EXPECT_INPUT_ERROR(plan("experiment: odds_vs_counting\n"), "nothing is measured");
+  EXPECT_INPUT_ERROR(plan("metrics: [success]\n"), "there is no log to work on");
+  EXPECT_INPUT_ERROR(plan("base: x.yaml\n"), "build on each other without end");
+}
+
+}  // namespace
+}  // namespace mapbed

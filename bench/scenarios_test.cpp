@@ -1,0 +1,29 @@
+// Every scenario with --quick: it runs, and its claims are reported.
+
+#include <gmock/gmock.h>
+
+#include "bench/cli/program_under_test.h"
+#include "bench/results_file.h"
+#include "core/data_path.h"
+#include "core/testing/temporary_folder.h"
+
+namespace mapbed {
+namespace {
+
+class QuickScenario : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(QuickScenario, RunsAndReportsItsClaims) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_mapbed({"run", GetParam(), "--quick", "--out", "r"}, folder.file("."));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Results results = load_results(folder.file("r"));
+  EXPECT_FALSE(results.claims.empty());
+  for (const ClaimResult& claim : results.claims) EXPECT_FALSE(claim.measured.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, QuickScenario, ::testing::ValuesIn(data_names("scenarios")),
+                         [](const auto& scenario) { return scenario.param; });
+
+}  // namespace
+}  // namespace mapbed
