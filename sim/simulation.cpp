@@ -223,7 +223,7 @@ Situation Simulation::at(double time) const {
 
 // Beams by the slice of the sweep that they are sent in; within one only the robot moves.
 std::vector<std::vector<AimedBeam>> Simulation::beams_by_slice(const LaserModel& laser,
-                                                          double start) const {
+                                                               double start) const {
   const double duration = laser.sweep_time();
   const int slices = duration > 0.0 ? state_->options.sweep_slices : 1;
   const Pose2 first = at(start).robot;

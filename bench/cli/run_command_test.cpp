@@ -140,8 +140,9 @@ TEST_F(RunCommand, RefusesBadInputInOneLine) {
 
 TEST_F(RunCommand, TwoAtOnceInOneFolderAreOneTooMany) {
   const Outcome outcome = run_shell(
-      "mkdir r; flock r/.lock sleep 5 & sleep 0.3; $MAPBED run ./drives.yaml --out r; s=$?; "
-      "kill %1 2>/dev/null; exit $s",
+      "mkdir r; flock r/.lock sh -c 'touch held; while [ -e held ]; do sleep 0.1; done' & "
+      "until [ -e held ]; do sleep 0.1; done; $MAPBED run ./drives.yaml --out r; s=$?; "
+      "rm held; wait; exit $s",
       folder_.file("."));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("another run is at work in this folder"));
