@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "bench/report/plot.h"
+#include "bench/results.h"
+
+namespace mapbed {
+
+// One of a scenario's plots, from its summary (lines, bars) or its runs (points). Lines and bars
+// show means with their 95 % intervals; failed runs are counted in the subtitle. Angles are shown
+// in degrees.
+Plot figure_of(const Results& results, const PlotSpec& spec);
+
+// Writes each of Results::plots as <folder>/figures/<file>.svg with its numbers as <file>.csv.
+void write_figures(const std::string& folder, const Results& results);
+
+}  // namespace mapbed

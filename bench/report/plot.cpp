@@ -1,0 +1,316 @@
+#include "bench/report/plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "bench/csv_file.h"
+#include "bench/report/plot_frame.h"
+#include "bench/report/series_style.h"
+#include "bench/report/svg_text.h"
+#include "core/check.h"
+
+namespace mapbed {
+namespace {
+
+constexpr std::size_t kMaxMarkers = 40;  // on a line; with more of them, only every n-th is drawn
+
+struct Point {
+  double x, y;  // [px]; NaN: a gap
+  bool drawn() const { return std::isfinite(x) && std::isfinite(y); }
+};
+
+std::vector<Point> points_of(const PlotArea& area, const std::vector<double>& x,
+                             const std::vector<double>& y) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < x.size(); ++i) points.push_back({area.px(x[i]), area.py(y[i])});
+  return points;
+}
+
+std::string path_data(const std::vector<Point>& points) {
+  std::string data;
+  bool pen_down = false;
+  for (const Point& p : points) {
+    if (p.drawn()) {
+      data += fmt::format("{}{} {}", pen_down ? 'L' : 'M', coordinate(p.x), coordinate(p.y));
+    }
+    pen_down = p.drawn();
+  }
+  return data;
+}
+
+bool has_interval(const Series& series) {
+  return !series.low.empty();
+}
+
+// One closed outline for each stretch without a gap.
+std::string band(const PlotArea& area, const Series& series, const SeriesStyle& style) {
+  const std::vector<Point> low = points_of(area, series.x, series.low);
+  const std::vector<Point> high = points_of(area, series.x, series.high);
+  std::string data;
+  for (std::size_t begin = 0; begin < low.size();) {
+    std::size_t end = begin;
+    while (end < low.size() && low[end].drawn() && high[end].drawn()) ++end;
+    if (end > begin + 1) {
+      std::vector<Point> outline(high.begin() + static_cast<std::ptrdiff_t>(begin),
+                                 high.begin() + static_cast<std::ptrdiff_t>(end));
+      for (std::size_t i = end; i-- > begin;) outline.push_back(low[i]);
+      data += path_data(outline) + "Z";
+    }
+    begin = end + 1;
+  }
+  return data.empty() ? ""
+                      : fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.18\"/>\n", data,
+                                    style.color);
+}
+
+std::string error_bar(double x, double low, double high, const std::string& color) {
+  if (!std::isfinite(x) || !std::isfinite(low) || !std::isfinite(high)) return "";
+  return fmt::format(
+      "<path d=\"M{0} {1}V{2}M{3} {1}h6M{3} {2}h6\" stroke=\"{4}\" stroke-width=\"1.3\" "
+      "fill=\"none\"/>\n",
+      coordinate(x), coordinate(low), coordinate(high), coordinate(x - 3.0), color);
+}
+
+std::string line_svg(const PlotArea& area, const Series& series, const SeriesStyle& style) {
+  const std::vector<Point> points = points_of(area, series.x, series.y);
+  std::string svg = has_interval(series) ? band(area, series, style) : "";
+  svg += fmt::format(
+      "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" "
+      "stroke-linejoin=\"round\"{}/>\n",
+      path_data(points), style.color,
+      style.dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", style.dash));
+  const std::size_t every = (points.size() + kMaxMarkers - 1) / kMaxMarkers;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool alone =
+        (i == 0 || !points[i - 1].drawn()) && (i + 1 == points.size() || !points[i + 1].drawn());
+    if (points[i].drawn() && (i % every == 0 || alone)) {
+      svg += marker_at(style, points[i].x, points[i].y);
+    }
+  }
+  return svg;
+}
+
+std::string points_svg(const PlotArea& area, const Series& series, const SeriesStyle& style) {
+  std::string svg;
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    const Point p{area.px(series.x[i]), area.py(series.y[i])};
+    if (!p.drawn()) continue;
+    if (has_interval(series)) {
+      svg += error_bar(p.x, area.py(series.low[i]), area.py(series.high[i]), style.color);
+    }
+    svg += marker_at(style, p.x, p.y);
+  }
+  return svg;
+}
+
+// Bars of one place stand side by side: this series has place `slot` of `slots`.
+struct BarPlace {
+  int slot, slots;
+  double pitch;  // [px] from one place to the next
+};
+
+std::string bars_svg(const PlotArea& area, const Series& series, const SeriesStyle& style,
+                     const BarPlace& place, const std::string& hatching) {
+  const double width = 0.8 * place.pitch / place.slots;
+  const double shift = (place.slot - 0.5 * (place.slots - 1)) * width;
+  const double base = area.y.logarithmic || area.y.low > 0.0 ? area.bottom()
+                      : area.y.high < 0.0                    ? area.top
+                                                             : area.py(0.0);
+  std::string svg;
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    const Point p{area.px(series.x[i]) + shift, area.py(series.y[i])};
+    if (!p.drawn()) continue;
+    svg += fmt::format(
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"url(#{})\" stroke=\"{}\"/>\n",
+        coordinate(p.x - 0.46 * width), coordinate(std::min(p.y, base)), coordinate(0.92 * width),
+        coordinate(std::abs(base - p.y)), hatching, style.color);
+    if (has_interval(series)) {
+      svg += error_bar(p.x, area.py(series.low[i]), area.py(series.high[i]), "#111");
+    }
+  }
+  return svg;
+}
+
+// The least distance between two places that have bars; all of the area for a single place.
+double bar_pitch(const PlotArea& area, const Plot& plot) {
+  std::vector<double> places;
+  for (const Series& series : plot.series) {
+    if (series.mark != Mark::bars) continue;
+    for (const double x : series.x) {
+      if (std::isfinite(area.px(x))) places.push_back(area.px(x));
+    }
+  }
+  std::sort(places.begin(), places.end());
+  double pitch = area.width;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    if (places[i] - places[i - 1] > 0.5) pitch = std::min(pitch, places[i] - places[i - 1]);
+  }
+  return pitch;
+}
+
+void check(const Plot& plot) {
+  for (const Series& series : plot.series) {
+    const std::size_t size = series.x.size();
+    CHECK(series.y.size() == size);
+    CHECK(series.low.size() == series.high.size());
+    CHECK(series.low.empty() || series.low.size() == size);
+  }
+}
+
+Scale x_scale_of(const Plot& plot) {
+  std::vector<double> values;
+  bool bars = false;
+  for (const Series& series : plot.series) {
+    values.insert(values.end(), series.x.begin(), series.x.end());
+    bars = bars || series.mark == Mark::bars;
+  }
+  Scale scale = scale_of(plot.x, values);
+  if (bars && !scale.logarithmic && plot.x.categories.empty()) {  // half a bar more on either side
+    std::erase_if(values, [](double x) { return !std::isfinite(x); });
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    double pitch = values.size() < 2 ? 1.0 : values.back() - values.front();
+    for (std::size_t i = 1; i < values.size(); ++i) {
+      pitch = std::min(pitch, values[i] - values[i - 1]);
+    }
+    if (!values.empty()) {
+      if (!plot.x.low) scale.low = values.front() - 0.5 * pitch;
+      if (!plot.x.high) scale.high = values.back() + 0.5 * pitch;
+    }
+  }
+  return scale;
+}
+
+Scale y_scale_of(const Plot& plot) {
+  std::vector<double> values;
+  bool bars = false;
+  for (const Series& series : plot.series) {
+    for (const auto* list : {&series.y, &series.low, &series.high}) {
+      values.insert(values.end(), list->begin(), list->end());
+    }
+    bars = bars || series.mark == Mark::bars;
+  }
+  for (const Reference& reference : plot.references) values.push_back(reference.y);
+  return scale_of(plot.y, values, bars);
+}
+
+constexpr std::array<const char*, 3> kReferenceDashes = {"5 4", "1 3", "10 3"};
+
+std::string reference_stroke(std::size_t index) {
+  return fmt::format("stroke=\"#555\" stroke-width=\"1.5\" stroke-dasharray=\"{}\"",
+                     kReferenceDashes[index % kReferenceDashes.size()]);
+}
+
+// Series are told apart by this name in <defs>; two plots on one page do not share it.
+std::string hatching_name(const std::string& plot_name, std::size_t index) {
+  return fmt::format("bar-{}-{}", plot_name, index);
+}
+
+std::vector<LegendEntry> legend_of(const Plot& plot, const std::string& plot_name) {
+  std::vector<LegendEntry> legend;
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const Series& series = plot.series[i];
+    if (series.name.empty()) continue;
+    legend.push_back(
+        {series.name, legend_symbol(series_style(static_cast<int>(i)), series.mark,
+                                    has_interval(series), hatching_name(plot_name, i))});
+  }
+  for (std::size_t i = 0; i < plot.references.size(); ++i) {
+    legend.push_back(
+        {plot.references[i].name, fmt::format("<path d=\"M0 6H28\" {}/>", reference_stroke(i))});
+  }
+  return legend;
+}
+
+std::string data_svg(const Plot& plot, const PlotArea& area, const std::string& plot_name) {
+  std::string svg;
+  for (std::size_t i = 0; i < plot.references.size(); ++i) {
+    const double y = area.py(plot.references[i].y);
+    if (!std::isfinite(y)) continue;
+    svg += fmt::format("<path d=\"M{} {}H{}\" {}/>\n", coordinate(area.left), coordinate(y),
+                       coordinate(area.right()), reference_stroke(i));
+  }
+  BarPlace place{0, 0, bar_pitch(area, plot)};
+  for (const Series& series : plot.series) place.slots += series.mark == Mark::bars ? 1 : 0;
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const Series& series = plot.series[i];
+    const SeriesStyle style = series_style(static_cast<int>(i));
+    svg += "<g class=\"series\">\n";
+    if (series.mark == Mark::line) svg += line_svg(area, series, style);
+    if (series.mark == Mark::points) svg += points_svg(area, series, style);
+    if (series.mark == Mark::bars) {
+      svg += bars_svg(area, series, style, place, hatching_name(plot_name, i));
+      ++place.slot;
+    }
+    svg += "</g>\n";
+  }
+  return svg;
+}
+
+// Cuts off what lies outside the area, but not half a marker at its edge; by a picture in the
+// picture, which needs no name.
+std::string clipped(const PlotArea& area, const std::string& svg) {
+  constexpr double kMarker = 5.0;  // [px] radius
+  return fmt::format(
+      "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\" "
+      "overflow=\"hidden\">\n{4}</svg>\n",
+      coordinate(area.left - kMarker), coordinate(area.top - kMarker),
+      coordinate(area.width + 2 * kMarker), coordinate(area.height + 2 * kMarker), svg);
+}
+
+}  // namespace
+
+std::string svg_of(const Plot& plot) {
+  check(plot);
+  const std::string name = fmt::format("{:x}", hash_of(plot.title + "\n" + csv_of(plot)));
+  const PlotFrame frame = frame_of({plot.title, plot.subtitle, legend_of(plot, name)}, plot.x,
+                                   plot.y, x_scale_of(plot), y_scale_of(plot));
+  std::string patterns;
+  bool any = false;
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const Series& series = plot.series[i];
+    if (series.mark == Mark::bars) {
+      patterns += hatching_of(series_style(static_cast<int>(i)), hatching_name(name, i));
+    }
+    for (std::size_t k = 0; k < series.x.size(); ++k) {
+      any = any || (std::isfinite(frame.area.px(series.x[k])) &&
+                    std::isfinite(frame.area.py(series.y[k])));
+    }
+  }
+  std::string content = patterns.empty() ? "" : "<defs>\n" + patterns + "</defs>\n";
+  content += frame.head + frame.grid + clipped(frame.area, data_svg(plot, frame.area, name));
+  content += frame.axes;
+  if (!any) {
+    content +=
+        svg_text(frame.area.left + frame.area.width / 2, frame.area.top + frame.area.height / 2,
+                 "no values", {kTextSize, "middle", "fill=\"#555\""});
+  }
+  return svg_file(frame.height, plot.title, content);
+}
+
+std::string csv_of(const Plot& plot) {
+  check(plot);
+  const auto place = [&](double x) {
+    const auto index = static_cast<std::size_t>(std::max(0.0, x));
+    const bool named = static_cast<double>(index) == x && index < plot.x.categories.size();
+    return named ? plot.x.categories[index] : csv_number(x);
+  };
+  std::string text = csv_line({"series", title_of(plot.x), title_of(plot.y), "low", "high"});
+  for (const Series& s : plot.series) {
+    for (std::size_t i = 0; i < s.x.size(); ++i) {
+      text += csv_line({s.name, place(s.x[i]), csv_number(s.y[i]),
+                        s.low.empty() ? "" : csv_number(s.low[i]),
+                        s.high.empty() ? "" : csv_number(s.high[i])});
+    }
+  }
+  for (const Reference& r : plot.references) {
+    text += csv_line({r.name, "", csv_number(r.y), "", ""});
+  }
+  return text;
+}
+
+}  // namespace mapbed
