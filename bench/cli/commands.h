@@ -25,6 +25,7 @@ void add_list_command(CLI::App& program, Action& action);
 void add_describe_command(CLI::App& program, Action& action);
 void add_map_command(CLI::App& program, Action& action);
 void add_render_command(CLI::App& program, Action& action);
+void add_report_command(CLI::App& program, Action& action);
 void add_run_command(CLI::App& program, Action& action);
 void add_simulate_command(CLI::App& program, Action& action);
 

@@ -69,6 +69,7 @@ int run_program(int argc, const char* const* argv) {
   add_map_command(program, action);
   add_evaluate_command(program, action);
   add_render_command(program, action);
+  add_report_command(program, action);
   add_list_command(program, action);
   add_describe_command(program, action);
   add_simulate_command(program, action);

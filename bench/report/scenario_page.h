@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "bench/report/result_folder.h"
+
+namespace mapbed {
+
+// The page of one scenario: the question, the claims with the thesis beside them, figures, maps,
+// replays, all numbers, and what they were made with. One file that needs no network.
+std::string scenario_page(const ResultFolder& result);
+
+// Reads the folder of results and writes its report.html, complete or not at all.
+void write_scenario_page(const std::string& folder);
+
+// Parts that the overview shows too.
+std::string claims_html(const ResultFolder& result);
+std::string badges_html(const ResultFolder& result);
+
+}  // namespace mapbed
