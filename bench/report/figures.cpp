@@ -131,7 +131,11 @@ std::string said_of(const PlotSpec& spec, const std::string& treatment, int runs
 
 void add_means(const Results& results, const PlotSpec& spec, int metric, int x_axis, Plot& plot) {
   const Unit unit = results.metrics[static_cast<std::size_t>(metric)].unit;
-  const Mark mark = spec.kind == PlotKind::bars ? Mark::bars : Mark::line;
+  // Between names there is nothing that a line could pass through.
+  const bool names = !plot.x.categories.empty();
+  const Mark mark = spec.kind == PlotKind::bars && !spec.log_y ? Mark::bars
+                    : names || spec.kind == PlotKind::bars     ? Mark::points
+                                                               : Mark::line;
   int runs = 0, failed = 0, missing = 0, least = std::numeric_limits<int>::max(), most = 0;
   for (const SummaryRow& row : results.summary) {
     if (row.metric != metric || !is_shown(results, spec, row.variant)) continue;
@@ -148,7 +152,7 @@ void add_means(const Results& results, const PlotSpec& spec, int metric, int x_a
   }
   const std::string count =
       least >= most ? fmt::to_string(most) : fmt::format("{} to {}", least, most);
-  const std::string interval = mark == Mark::bars ? "error bar" : "band";
+  const std::string interval = mark == Mark::line ? "band" : "error bar";
   plot.subtitle = said_of(spec,
                           most > 1 ? fmt::format("mean of {} runs each, {}: 95 % bootstrap "
                                                  "interval of the mean",

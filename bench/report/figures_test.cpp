@@ -67,6 +67,16 @@ TEST(Figures, BarsOfTheVariantsSideBySide) {
   EXPECT_EQ(plot.series[1].mark, Mark::bars);
 }
 
+TEST(Figures, NamesAreNotJoinedByLinesNorHaveLogarithmicBarsAFoot) {
+  for (const PlotSpec& spec :
+       {PlotSpec{.y = "heading_error"},
+        PlotSpec{.kind = PlotKind::bars, .y = "heading_error", .log_y = true}}) {
+    const Plot plot = figure_of(sweep(), spec);
+    EXPECT_EQ(plot.series[0].mark, Mark::points);
+    EXPECT_THAT(plot.subtitle, HasSubstr("error bar"));
+  }
+}
+
 TEST(Figures, OnlyTheVariantsAskedFor) {
   const Plot plot =
       figure_of(sweep(), {.x = "odometry.sigma", .y = "heading_error", .variants = {"on"}});

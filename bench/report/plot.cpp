@@ -9,137 +9,22 @@
 
 #include "bench/csv_file.h"
 #include "bench/report/plot_frame.h"
-#include "bench/report/series_style.h"
+#include "bench/report/series_drawing.h"
 #include "bench/report/svg_text.h"
 #include "core/check.h"
 
 namespace mapbed {
 namespace {
 
-constexpr std::size_t kMaxMarkers = 40;  // on a line; with more of them, only every n-th is drawn
-
-struct Point {
-  double x, y;  // [px]; NaN: a gap
-  bool drawn() const { return std::isfinite(x) && std::isfinite(y); }
-};
-
-std::vector<Point> points_of(const PlotArea& area, const std::vector<double>& x,
-                             const std::vector<double>& y) {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < x.size(); ++i) points.push_back({area.px(x[i]), area.py(y[i])});
-  return points;
+bool stands_aside(const Plot& plot, const Series& series) {
+  return series.mark == Mark::bars || (series.mark == Mark::points && !plot.x.categories.empty());
 }
 
-std::string path_data(const std::vector<Point>& points) {
-  std::string data;
-  bool pen_down = false;
-  for (const Point& p : points) {
-    if (p.drawn()) {
-      data += fmt::format("{}{} {}", pen_down ? 'L' : 'M', coordinate(p.x), coordinate(p.y));
-    }
-    pen_down = p.drawn();
-  }
-  return data;
-}
-
-bool has_interval(const Series& series) {
-  return !series.low.empty();
-}
-
-// One closed outline for each stretch without a gap.
-std::string band(const PlotArea& area, const Series& series, const SeriesStyle& style) {
-  const std::vector<Point> low = points_of(area, series.x, series.low);
-  const std::vector<Point> high = points_of(area, series.x, series.high);
-  std::string data;
-  for (std::size_t begin = 0; begin < low.size();) {
-    std::size_t end = begin;
-    while (end < low.size() && low[end].drawn() && high[end].drawn()) ++end;
-    if (end > begin + 1) {
-      std::vector<Point> outline(high.begin() + static_cast<std::ptrdiff_t>(begin),
-                                 high.begin() + static_cast<std::ptrdiff_t>(end));
-      for (std::size_t i = end; i-- > begin;) outline.push_back(low[i]);
-      data += path_data(outline) + "Z";
-    }
-    begin = end + 1;
-  }
-  return data.empty() ? ""
-                      : fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.18\"/>\n", data,
-                                    style.color);
-}
-
-std::string error_bar(double x, double low, double high, const std::string& color) {
-  if (!std::isfinite(x) || !std::isfinite(low) || !std::isfinite(high)) return "";
-  return fmt::format(
-      "<path d=\"M{0} {1}V{2}M{3} {1}h6M{3} {2}h6\" stroke=\"{4}\" stroke-width=\"1.3\" "
-      "fill=\"none\"/>\n",
-      coordinate(x), coordinate(low), coordinate(high), coordinate(x - 3.0), color);
-}
-
-std::string line_svg(const PlotArea& area, const Series& series, const SeriesStyle& style) {
-  const std::vector<Point> points = points_of(area, series.x, series.y);
-  std::string svg = has_interval(series) ? band(area, series, style) : "";
-  svg += fmt::format(
-      "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" "
-      "stroke-linejoin=\"round\"{}/>\n",
-      path_data(points), style.color,
-      style.dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", style.dash));
-  const std::size_t every = (points.size() + kMaxMarkers - 1) / kMaxMarkers;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool alone =
-        (i == 0 || !points[i - 1].drawn()) && (i + 1 == points.size() || !points[i + 1].drawn());
-    if (points[i].drawn() && (i % every == 0 || alone)) {
-      svg += marker_at(style, points[i].x, points[i].y);
-    }
-  }
-  return svg;
-}
-
-std::string points_svg(const PlotArea& area, const Series& series, const SeriesStyle& style) {
-  std::string svg;
-  for (std::size_t i = 0; i < series.x.size(); ++i) {
-    const Point p{area.px(series.x[i]), area.py(series.y[i])};
-    if (!p.drawn()) continue;
-    if (has_interval(series)) {
-      svg += error_bar(p.x, area.py(series.low[i]), area.py(series.high[i]), style.color);
-    }
-    svg += marker_at(style, p.x, p.y);
-  }
-  return svg;
-}
-
-// Bars of one place stand side by side: this series has place `slot` of `slots`.
-struct BarPlace {
-  int slot, slots;
-  double pitch;  // [px] from one place to the next
-};
-
-std::string bars_svg(const PlotArea& area, const Series& series, const SeriesStyle& style,
-                     const BarPlace& place, const std::string& hatching) {
-  const double width = 0.8 * place.pitch / place.slots;
-  const double shift = (place.slot - 0.5 * (place.slots - 1)) * width;
-  const double base = area.y.logarithmic || area.y.low > 0.0 ? area.bottom()
-                      : area.y.high < 0.0                    ? area.top
-                                                             : area.py(0.0);
-  std::string svg;
-  for (std::size_t i = 0; i < series.x.size(); ++i) {
-    const Point p{area.px(series.x[i]) + shift, area.py(series.y[i])};
-    if (!p.drawn()) continue;
-    svg += fmt::format(
-        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"url(#{})\" stroke=\"{}\"/>\n",
-        coordinate(p.x - 0.46 * width), coordinate(std::min(p.y, base)), coordinate(0.92 * width),
-        coordinate(std::abs(base - p.y)), hatching, style.color);
-    if (has_interval(series)) {
-      svg += error_bar(p.x, area.py(series.low[i]), area.py(series.high[i]), "#111");
-    }
-  }
-  return svg;
-}
-
-// The least distance between two places that have bars; all of the area for a single place.
-double bar_pitch(const PlotArea& area, const Plot& plot) {
+// The least distance between two places; all of the area for a single place.
+double place_pitch(const PlotArea& area, const Plot& plot) {
   std::vector<double> places;
   for (const Series& series : plot.series) {
-    if (series.mark != Mark::bars) continue;
+    if (!stands_aside(plot, series)) continue;
     for (const double x : series.x) {
       if (std::isfinite(area.px(x))) places.push_back(area.px(x));
     }
@@ -234,21 +119,33 @@ std::string data_svg(const Plot& plot, const PlotArea& area, const std::string& 
     svg += fmt::format("<path d=\"M{} {}H{}\" {}/>\n", coordinate(area.left), coordinate(y),
                        coordinate(area.right()), reference_stroke(i));
   }
-  BarPlace place{0, 0, bar_pitch(area, plot)};
-  for (const Series& series : plot.series) place.slots += series.mark == Mark::bars ? 1 : 0;
+  SidePlace place{.pitch = place_pitch(area, plot)};
+  for (const Series& series : plot.series) place.slots += stands_aside(plot, series) ? 1 : 0;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& series = plot.series[i];
-    const SeriesStyle style = series_style(static_cast<int>(i));
+    const bool aside = stands_aside(plot, series);
     svg += "<g class=\"series\">\n";
-    if (series.mark == Mark::line) svg += line_svg(area, series, style);
-    if (series.mark == Mark::points) svg += points_svg(area, series, style);
-    if (series.mark == Mark::bars) {
-      svg += bars_svg(area, series, style, place, hatching_name(plot_name, i));
-      ++place.slot;
-    }
+    svg += drawing_of(series, area, series_style(static_cast<int>(i)), aside ? place : SidePlace{},
+                      hatching_name(plot_name, i));
     svg += "</g>\n";
+    place.slot += aside ? 1 : 0;
   }
   return svg;
+}
+
+// Numbers that a logarithmic axis has no place for are not dropped in silence.
+std::string said_of_hidden(const Plot& plot) {
+  int hidden = 0;
+  for (const Series& series : plot.series) {
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      const bool is_hidden =
+          (plot.x.logarithmic && series.x[i] <= 0.0) || (plot.y.logarithmic && series.y[i] <= 0.0);
+      hidden += is_hidden ? 1 : 0;
+    }
+  }
+  if (hidden == 0) return "";
+  return fmt::format("{}{} at 0 or below: not on a logarithmic axis",
+                     plot.subtitle.empty() ? "" : "; ", hidden);
 }
 
 // Cuts off what lies outside the area, but not half a marker at its edge; by a picture in the
@@ -266,9 +163,10 @@ std::string clipped(const PlotArea& area, const std::string& svg) {
 
 std::string svg_of(const Plot& plot) {
   check(plot);
+  const std::string subtitle = plot.subtitle + said_of_hidden(plot);
   const std::string name = fmt::format("{:x}", hash_of(plot.title + "\n" + csv_of(plot)));
-  const PlotFrame frame = frame_of({plot.title, plot.subtitle, legend_of(plot, name)}, plot.x,
-                                   plot.y, x_scale_of(plot), y_scale_of(plot));
+  const PlotFrame frame = frame_of({plot.title, subtitle, legend_of(plot, name)}, plot.x, plot.y,
+                                   x_scale_of(plot), y_scale_of(plot));
   std::string patterns;
   bool any = false;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {

@@ -105,7 +105,10 @@ std::string y_axis(const PlotArea& area, const Axis& axis, const std::vector<Tic
   const double y = area.top + area.height / 2;
   const std::string turn =
       fmt::format("transform=\"rotate(-90 {} {})\"", coordinate(x), coordinate(y));
-  return result + svg_text(x, y, title_of(axis), {kTextSize, "middle", turn});
+  // A long title is set smaller rather than cut off.
+  const double width = svg_text_width(title_of(axis), kTextSize);
+  const double size = kTextSize * std::min(1.0, 1.1 * area.height / width);
+  return result + svg_text(x, y, title_of(axis), {width > 0.0 ? size : kTextSize, "middle", turn});
 }
 
 }  // namespace

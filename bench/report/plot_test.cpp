@@ -72,6 +72,8 @@ TEST(Plot, ZeroIsAGapOnALogarithmicAxis) {
   const std::string svg = svg_of(plot);
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_THAT(svg, Not(HasSubstr("inf")));
+  EXPECT_THAT(svg, HasSubstr("2 at 0 or below")) << "x = 0 of both lines";
+  EXPECT_THAT(svg_of(two_lines()), Not(HasSubstr("at 0 or below")));
 }
 
 TEST(Plot, BarsOfOnePlaceStandSideBySideFromZero) {

@@ -146,11 +146,17 @@ Replay replay_of(const Truth& truth, const SensorLog& log) {
   for (auto& [id, track] : others) {
     if (!track.world_from_it.empty()) replay.others.push_back(std::move(track));
   }
+  replay.scans = front_scans_of(log);
+  return replay;
+}
+
+std::vector<LaserScan> front_scans_of(const SensorLog& log) {
+  std::vector<LaserScan> scans;
   for (const Measurement& measurement : log) {
     const auto* scan = std::get_if<LaserScan>(&measurement);
-    if (scan != nullptr && scan->laser == 0) replay.scans.push_back(*scan);
+    if (scan != nullptr && scan->laser == 0) scans.push_back(*scan);
   }
-  return replay;
+  return scans;
 }
 
 std::vector<std::vector<Eigen::Vector2d>> outlines_of(const World& world, double height) {

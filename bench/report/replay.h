@@ -66,6 +66,8 @@ std::string replay_json(const Replay& replay, const ReplayOptions& options = {})
 // What a recording knows: poses, whatever moves, and the front laser's scans of `log`.
 Replay replay_of(const Truth& truth, const SensorLog& log);
 
+std::vector<LaserScan> front_scans_of(const SensorLog& log);
+
 // Of what stands still in a world and reaches to this height [m]: closed lines.
 std::vector<std::vector<Eigen::Vector2d>> outlines_of(const World& world, double height = 0.3);
 
