@@ -13,6 +13,8 @@
 #include "bench/cli/output_folder.h"
 #include "bench/cli/progress.h"
 #include "bench/csv_file.h"
+#include "bench/report/figures.h"
+#include "bench/report/overview_page.h"
 #include "bench/results_file.h"
 #include "bench/scenario/run_scenario.h"
 #include "core/input_error.h"
@@ -60,7 +62,7 @@ void print_result(const ScenarioRun& run, const std::string& folder) {
   fmt::print("{}: {} runs, {} of them failed; {} were done before, {} recordings made\n",
              run.results.id, total, failed, run.done_before, run.recordings);
   print_claims(run.results);
-  fmt::print("written to {}\n", folder);
+  fmt::print("written to {0}; see {0}/report.html\n", folder);
 }
 
 bool all_held(const Results& results) {
@@ -106,6 +108,8 @@ int run(const RunArguments& arguments) {
                result.results.runs.size(), plan.runs());
     return kInterrupted;
   }
+  write_figures(options.folder, result.results);
+  write_reports(options.folder);
   print_result(result, options.folder);
   return arguments.strict && !all_held(result.results) ? kClaimsNotHeld : kDone;
 }

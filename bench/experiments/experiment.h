@@ -22,6 +22,7 @@ struct RunInput {
   SensorLog log;                         // empty where the experiment needs none
   Trajectory truth;                      // world_from_robot, by time; empty: nobody knows
   const Recording* recording = nullptr;  // null for a recorded log
+  const World* world = nullptr;          // the same
   // The world's true map with cells of this size [m]; none for a recorded log.
   std::function<const TrueMap&(double resolution)> true_map = {};
   Rng rng{0};

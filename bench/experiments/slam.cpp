@@ -9,6 +9,7 @@
 #include "algorithms/grid/map_image.h"
 #include "bench/metrics/map_error.h"
 #include "bench/metrics/trajectory_error.h"
+#include "bench/report/replay.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
 
@@ -125,6 +126,18 @@ bool wants_map(const RunInput& input) {
          input.wanted.contains("map_recall");
 }
 
+// The run to be watched, in the world's frame.
+ResultFile replay_file(const RunInput& input, const std::string& estimator,
+                       const Trajectory& world_from_robot) {
+  Replay replay = input.recording == nullptr
+                      ? Replay{.truth = input.truth, .scans = front_scans_of(input.log)}
+                      : replay_of(input.recording->truth, input.log);
+  replay.title = "The first seed, " + estimator;
+  if (input.world != nullptr) replay.outlines = outlines_of(*input.world);
+  replay.estimate = world_from_robot;
+  return {"replays/run.json", replay_json(replay)};
+}
+
 RunOutcome run(const Settings& settings, const RunInput& input) {
   const Setup setup = setup_of(settings);
   const auto estimator =
@@ -150,6 +163,7 @@ RunOutcome run(const Settings& settings, const RunInput& input) {
   if (input.shown && !known_box(map).empty()) {
     outcome.files.push_back({"maps/map.png", png_of(to_image(map))});
     outcome.files.push_back({"trajectories/estimate.tum", tum_text(world_from_robot)});
+    outcome.files.push_back(replay_file(input, setup.options.estimator, world_from_robot));
   }
   return outcome;
 }

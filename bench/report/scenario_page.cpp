@@ -81,7 +81,9 @@ std::string replays_html(const ResultFolder& result) {
                        "is no replay: not a JSON object");
     }
     const std::string title = json.value("title", "");
-    html += "<h3>" + xml_escaped(title.empty() ? without_extension(file.name) : title) + "</h3>\n";
+    std::string name = without_extension(file.name);  // says level and variant
+    std::replace(name.begin(), name.end(), '_', ' ');
+    html += "<h3>" + xml_escaped(title.empty() ? name : title + ": " + name) + "</h3>\n";
     html += kPlayer;
     if (json.contains("truth")) html += check_box("truth", "true path", "#009e73");
     if (json.contains("estimate")) html += check_box("estimate", "estimate", "#0072b2");

@@ -77,6 +77,7 @@ class SimulatedLog : public LogSource {
     input.log = with_noise(recording_, robot, Rng(seed));
     input.truth = truth_;
     input.recording = &recording_;
+    input.world = &simulation_.world;
     input.true_map = [this](double resolution) -> const TrueMap& { return true_map(resolution); };
     input.rng = Rng(seed);
     return input;
