@@ -88,6 +88,9 @@ function(mapbed_library name)
   target_link_libraries(mapbed_${name} PUBLIC ${ARG_PUBLIC_LINKS} PRIVATE mapbed::flags ${ARG_PRIVATE_LINKS})
   if(MAPBED_PRECOMPILE)
     target_precompile_headers(mapbed_${name} REUSE_FROM mapbed_library_pch)
+    # The header holds fmt, which must be found as it was precompiled by libraries without it too.
+    target_compile_definitions(mapbed_${name} PRIVATE
+      $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
   endif()
   install(TARGETS mapbed_${name} EXPORT mapbed)
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
