@@ -22,13 +22,14 @@ namespace {
 
 using Library = std::unique_ptr<GlContext::Library>;
 
-// A shared library that is closed again; null where it is not installed.
+// A shared library; null where it is not installed. It stays loaded when it is closed: what Mesa
+// still points to would be lost, anew each time it is opened.
 struct Handle {
   void* handle = nullptr;
 
   explicit Handle(std::initializer_list<const char*> names) {
     for (const char* name : names) {
-      if (handle == nullptr) handle = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+      if (handle == nullptr) handle = dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     }
   }
   ~Handle() {
