@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sys/resource.h>
 
 #include "algorithms/grid/map_file.h"
 #include "algorithms/grid/map_image.h"
 #include "bench/map_picture.h"
+#include "bench/process_cost.h"
 #include "bench/version.h"
 #include "core/atomic_file.h"
 #include "core/geometry/tum_file.h"
@@ -23,12 +23,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);  // Linux counts in KiB
 }
 
 int count_scans(const SensorLog& log) {

@@ -64,7 +64,7 @@ struct SummaryRow {
 struct ClaimResult {
   std::string claim;  // "failures of filter on at most those of filter off, at every level"
   bool held = false;
-  bool judged = true;    // false: the quick run has no such level
+  bool judged = true;    // false: the run has no such level, or no value there
   std::string measured;  // the figures: "worst at rotation_sigma = 8 deg: 0.12 against 0.30"
   std::string thesis;    // what the thesis says; empty: nothing
 };
@@ -74,6 +74,7 @@ struct CostRow {
   int run = 0;
   double seconds = 0.0;  // [s] of processor time of the run's own thread, without recording
   double recording_seconds = 0.0;  // [s] the same of the recording; 0: another run made it
+  double method_seconds = 0.0;     // [s] of `seconds`, the method alone; 0: not told
   double recorded_seconds = 0.0;   // [s] of the log
   double peak_memory = 0.0;        // [bytes] of the whole program so far
 };
@@ -106,7 +107,8 @@ struct Results {
   std::vector<std::string> variants;  // one of the name "all" where nothing is compared
   std::vector<Metric> metrics;
   std::vector<PlotSpec> plots;
-  std::vector<RunRow> runs;  // by number, all of them
+  std::vector<std::string> skipped;  // what was not run and why; it has no rows
+  std::vector<RunRow> runs;          // by number, all of them
   std::vector<SummaryRow> summary;
   std::vector<ClaimResult> claims;
   std::vector<CostRow> costs;

@@ -15,6 +15,13 @@
 namespace mapbed {
 namespace {
 
+const CsvRow kCostColumns{"run",
+                          "seconds",
+                          "recording_seconds",
+                          "method_seconds",
+                          "recorded_seconds",
+                          "peak_memory_bytes"};
+
 void append_axes(CsvRow& row, const Results& results, int level) {
   const Level& at = results.levels[static_cast<std::size_t>(level)];
   for (std::size_t axis = 0; axis < results.axes.size(); ++axis) {
@@ -76,6 +83,29 @@ std::vector<CsvRow> rows_of(const std::string& path, std::size_t fields) {
   return rows;
 }
 
+// By the columns' names: older results lack some.
+std::vector<CostRow> costs_of(const std::string& path) {
+  const std::vector<CsvRow> rows = parse_csv(path, read_text_file(path));
+  if (rows.empty() || rows.front().front() != "run") {
+    throw InputError({path, 1}, "these are not the columns of this table");
+  }
+  std::vector<CostRow> costs;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const auto number = [&](const std::string& name) {
+      const auto column = std::find(rows.front().begin(), rows.front().end(), name);
+      if (column == rows.front().end()) return 0.0;
+      return parse_csv_number(rows[i][static_cast<std::size_t>(column - rows.front().begin())]);
+    };
+    costs.push_back({.run = whole_number<int>(rows[i][0], {path, static_cast<long>(i + 1)}),
+                     .seconds = number("seconds"),
+                     .recording_seconds = number("recording_seconds"),
+                     .method_seconds = number("method_seconds"),
+                     .recorded_seconds = number("recorded_seconds"),
+                     .peak_memory = number("peak_memory_bytes")});
+  }
+  return costs;
+}
+
 }  // namespace
 
 std::string runs_csv(const Results& results) {
@@ -127,11 +157,11 @@ std::string claims_csv(const Results& results) {
 }
 
 std::string cost_csv(const Results& results) {
-  std::string text =
-      csv_line({"run", "seconds", "recording_seconds", "recorded_seconds", "peak_memory_bytes"});
+  std::string text = csv_line(kCostColumns);
   for (const CostRow& cost : results.costs) {
-    text += fmt::format("{},{:.6f},{:.6f},{:.6f},{:.0f}\n", cost.run, cost.seconds,
-                        cost.recording_seconds, cost.recorded_seconds, cost.peak_memory);
+    text += fmt::format("{},{:.6f},{:.6f},{:.6f},{:.6f},{:.0f}\n", cost.run, cost.seconds,
+                        cost.recording_seconds, cost.method_seconds, cost.recorded_seconds,
+                        cost.peak_memory);
   }
   return text;
 }
@@ -160,14 +190,7 @@ Results load_results(const std::string& folder) {
                               .measured = row[2],
                               .thesis = row[3]});
   }
-  for (const CsvRow& row : rows_of(folder + "/cost.csv", 5)) {
-    CostRow& cost = results.costs.emplace_back();
-    cost.run = whole_number<int>(row[0], {folder + "/cost.csv"});
-    cost.seconds = parse_csv_number(row[1]);
-    cost.recording_seconds = parse_csv_number(row[2]);
-    cost.recorded_seconds = parse_csv_number(row[3]);
-    cost.peak_memory = parse_csv_number(row[4]);
-  }
+  results.costs = costs_of(folder + "/cost.csv");
   return results;
 }
 

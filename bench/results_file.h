@@ -11,8 +11,8 @@
 //   runs.csv     run,seed,level,<path of each axis>,variant,<metric>…,failure
 //   summary.csv  level,<path of each axis>,variant,metric,unit,runs,failed,missing,
 //                mean,low,high,median,min,max
-//   claims.csv   claim,held,measured,thesis                                   held: yes, no, not
-//   judged cost.csv     run,seconds,recording_seconds,recorded_seconds,peak_memory_bytes
+//   claims.csv   claim,held,measured,thesis                    held: yes, no, not judged
+//   cost.csv     run,seconds,recording_seconds,method_seconds,recorded_seconds,peak_memory_bytes
 //
 // Values of axes stand as in the scenario ("2 deg"), metrics in SI and radians with as many digits
 // as it takes to read the same number back; a missing value is an empty field.

@@ -1,5 +1,7 @@
 // Every scenario with --quick: it runs, and its claims are reported.
 
+#include <cstdlib>
+
 #include <gmock/gmock.h>
 
 #include "bench/cli/program_under_test.h"
@@ -16,6 +18,10 @@ TEST_P(QuickScenario, RunsAndReportsItsClaims) {
   const TemporaryFolder folder;
   const Outcome outcome =
       run_mapbed({"run", GetParam(), "--quick", "--out", "r"}, folder.file("."));
+  if (outcome.status == 1 && std::getenv("MAPBED_DATA") == nullptr &&
+      outcome.err.find("set MAPBED_DATA") != std::string::npos) {
+    GTEST_SKIP() << outcome.err;  // a scenario of recorded logs alone
+  }
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Results results = load_results(folder.file("r"));
   EXPECT_FALSE(results.claims.empty());

@@ -103,20 +103,6 @@ void write_true_map(const std::string& stem, const SimulationResult& result) {
 
 }  // namespace
 
-SimulationPlan load_simulation_plan(const std::string& scenario_path) {
-  const ConfigNode file = load_config(scenario_path);
-  SimulationPlan plan;
-  plan.world = file.at("world").text();
-  plan.robot = file.at("robot").text();
-  if (const ConfigNode* path = file.find("path")) plan.path = path->text();
-  if (const ConfigNode* people = file.find("people")) {
-    plan.people = people->whole_number(at_least(0));
-  }
-  if (const ConfigNode* seed = file.find("seed")) plan.seed = seed->unsigned_number();
-  if (const ConfigNode* set = file.find("set")) plan.settings = settings_of(*set);
-  return plan;
-}
-
 PreparedSimulation prepare_simulation(const SimulationPlan& plan) {
   PreparedSimulation prepared{.plan = plan};
   prepared.world = build_world(plan.world, settings_of_world(plan.settings));

@@ -20,10 +20,6 @@ struct SimulationPlan {
   Settings settings;       // world.…, robot.…, simulation.…, driver.…, recorder.…
 };
 
-// From a scenario file: its keys world, robot, path, people, seed, and set (a map of settings);
-// what else a scenario says is for others. Throws InputError.
-SimulationPlan load_simulation_plan(const std::string& scenario_path);
-
 // Everything that is needed to record, checked.
 struct PreparedSimulation {
   SimulationPlan plan;

@@ -55,9 +55,10 @@ std::vector<CatalogueEntry> sensor_entries() {
 }
 
 std::string text_of(const LogDescription& log) {
-  std::string text = "file: " + log.file + "\nsha256: " + log.sha256 + "\nsource: " + log.source +
-                     "\nlicence: " + log.licence + "\nfetch: " + log.fetch +
-                     "\nrobot: " + log.robot + "\nlaser: " + log.laser + "\n";
+  std::string text = "file: " + log.log.file + "\nsha256: " + log.log.sha256 +
+                     "\nsource: " + log.source + "\nlicence: " + log.licence +
+                     "\nfetch: " + log.fetch + "\nrobot: " + log.robot + "\nlaser: " + log.laser +
+                     "\n";
   if (!log.pieces.empty()) text += "pieces:\n";
   for (const std::string& piece : log.pieces) text += "  - " + piece + "\n";
   return text;

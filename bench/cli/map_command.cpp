@@ -71,7 +71,7 @@ ChosenLog chosen_log(const std::string& log) {
   }
   if (!description.ends_with(".yaml")) return {log, {}};
   const LogDescription found = load_log_description(description);
-  return {find_log(found), found.options};
+  return {find_stored(found, found.log), found.options};
 }
 
 // "intel.clf.gz" -> "intel"

@@ -61,6 +61,9 @@ void print_result(const ScenarioRun& run, const std::string& folder) {
                                     [](const RunRow& row) { return !row.failure.empty(); });
   fmt::print("{}: {} runs, {} of them failed; {} were done before, {} recordings made\n",
              run.results.id, total, failed, run.done_before, run.recordings);
+  for (const std::string& line : run.results.skipped) {
+    fmt::print("remark: {}; set MAPBED_DATA to the folder that holds it\n", line);
+  }
   print_claims(run.results);
   fmt::print("written to {0}; see {0}/report.html\n", folder);
 }
@@ -75,6 +78,8 @@ int print_one_run(const ScenarioPlan& plan, int number) {
     throw InputError(
         fmt::format("there is no run {}; this scenario has 0 to {}", number, plan.runs() - 1));
   }
+  const std::string& missing = plan.planned_of(plan.row(number)).source.missing;
+  if (!missing.empty()) throw InputError(missing + "; set MAPBED_DATA to the folder that holds it");
   Results results = plan.results;
   results.runs.push_back(repeat_run(plan, number));
   fmt::print("{}", runs_csv(results));
@@ -97,7 +102,7 @@ int run(const RunArguments& arguments) {
   options.threads = arguments.threads > 0 ? arguments.threads : std::max(1, processors);
   make_output_folder(options.folder);
   const ScenarioRun result = [&] {
-    Progress progress(plan.scenario.id, static_cast<std::size_t>(plan.runs()));
+    Progress progress(plan.scenario.id, plan.runs_to_do().size());
     return run_scenario(plan, options, [&](std::size_t done, std::size_t) {
       progress.advance_to(done);
       return !interrupt.was_interrupted();
@@ -105,7 +110,7 @@ int run(const RunArguments& arguments) {
   }();
   if (!result.complete) {
     fmt::print(stderr, "mapbed: interrupted after {} of {} runs; start again to go on\n",
-               result.results.runs.size(), plan.runs());
+               result.results.runs.size(), plan.runs_to_do().size());
     return kInterrupted;
   }
   write_figures(options.folder, result.results);

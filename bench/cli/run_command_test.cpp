@@ -140,6 +140,30 @@ TEST_F(RunCommand, RefusesBadInputInOneLine) {
   EXPECT_THAT(unknown.err, HasSubstr("did you mean 'ch2_raw_odometry'?"));
 }
 
+TEST_F(RunCommand, ALogThatIsNotHereIsSkippedInWords) {
+  write("away.yaml", "about: a\nfile: away.log\nsha256: " + std::string(64, 'a') +
+                         "\nsource: s\nlicence: l\nfetch: f\nrobot: r\nlaser: x\n");
+  write("real.yaml",
+        "about: recorded logs\nlog.longest: 3 s\nseeds: 2\nmetrics: [path_length, largest_error]\n"
+        "compare: {here: {log: example}, away: {log: ./away.yaml}}\n"
+        "claims: [{metric: largest_error, of: here, at_most: away}]\n");
+  const Outcome outcome = run_mapbed({"run", "./real.yaml", "--out", "r"}, folder_.file("."));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("2 runs, 0 of them failed"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("remark: the log './away.yaml' is not here (away.log): 2 runs skipped; set "
+                        "MAPBED_DATA to the folder that holds it"));
+  EXPECT_THAT(outcome.out, HasSubstr("not judged"));
+  EXPECT_EQ(load_results(folder_.file("r")).runs.size(), 2u);
+  EXPECT_THAT(read_text_file(folder_.file("r/report.html")), HasSubstr("is not here (away.log)"));
+
+  const Outcome none =
+      run_mapbed({"run", "./real.yaml", "--set", "log=./away.yaml"}, folder_.file("."));
+  EXPECT_EQ(none.status, 1);
+  EXPECT_THAT(none.err, HasSubstr("real.yaml: the log './away.yaml' is not here (away.log); set "
+                                  "MAPBED_DATA"));
+}
+
 TEST_F(RunCommand, TwoAtOnceInOneFolderAreOneTooMany) {
   const Outcome outcome = run_shell(
       "mkdir r; flock r/.lock sh -c 'touch held; while [ -e held ]; do sleep 0.1; done' & "

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,7 +8,8 @@
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
-#include "bench/simulate.h"
+#include "bench/scenario/log_source.h"
+#include "bench/scenario/scenario_log.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -20,26 +22,34 @@ struct SimulateArguments {
   std::string world;
   std::string robot;
   std::string path;
+  std::string variant;
   std::string log;
-  int people = -1;
-  std::uint64_t seed = 0;
-  bool has_seed = false;
+  std::optional<int> people;
+  std::optional<std::uint64_t> seed;
   std::vector<std::string> settings;
 };
 
+// The options beside a scenario are settings that win over it.
+ScenarioChoice choice_of(const SimulateArguments& a) {
+  ScenarioChoice choice{.seed = a.seed};
+  const auto set = [&](const char* path, const std::string& text) {
+    if (!text.empty()) choice.settings.push_back({path, text, {std::string("--") + path, 0}});
+  };
+  set("world", a.world);
+  set("robot", a.robot);
+  set("path", a.path);
+  if (a.people) set("people", fmt::to_string(*a.people));
+  for (const std::string& text : a.settings) choice.settings.push_back(parse_setting(text));
+  return choice;
+}
+
 SimulationPlan plan_of(const SimulateArguments& a) {
-  SimulationPlan plan;
-  if (!a.scenario.empty()) plan = load_simulation_plan(a.scenario);
-  if (!a.world.empty()) plan.world = a.world;
-  if (!a.robot.empty()) plan.robot = a.robot;
-  if (!a.path.empty()) plan.path = a.path;
-  if (a.people >= 0) plan.people = a.people;
-  if (a.has_seed) plan.seed = a.seed;
-  for (const std::string& text : a.settings) plan.settings.push_back(parse_setting(text));
-  if (plan.world.empty() || plan.robot.empty()) {
+  const ScenarioChoice choice = choice_of(a);
+  if (!a.scenario.empty()) return simulation_in(load_scenario(a.scenario, choice), a.variant);
+  if (a.world.empty() || a.robot.empty()) {
     throw InputError("simulate needs a scenario file, or --world and --robot");
   }
-  return plan;
+  return simulation_plan(choice.settings, a.seed.value_or(1));
 }
 
 int simulate(const SimulateArguments& arguments) {
@@ -71,20 +81,21 @@ void add_simulate_command(CLI::App& program, Action& action) {
       "simulate",
       "Record a log in a simulated world, with truth, relations and true map beside it");
   const auto a = std::make_shared<SimulateArguments>();
-  command->add_option("SCENARIO", a->scenario, "a scenario file (YAML)");
+  command->add_option("SCENARIO", a->scenario, "a scenario's name or file (YAML)");
   command->add_option("--world", a->world, "a world's name or file");
   command->add_option("--robot", a->robot, "a robot's name or file");
   command->add_option("--path", a->path, "a named path of the world; its first where left out");
   command->add_option("--people", a->people, "how many walk about; as the world says if left out")
       ->check(CLI::NonNegativeNumber);
-  CLI::Option* seed = command->add_option("--seed", a->seed, "of everything that is chance");
-  command->add_option("--set", a->settings,
-                      "any option: world.…, robot.…, simulation.…, driver.…, recorder.…=value");
+  command->add_option("--seed", a->seed, "of everything that is chance");
+  command->add_option("--variant", a->variant, "which of those that the scenario compares");
+  command
+      ->add_option("--set", a->settings,
+                   "any option: world.…, robot.…, simulation.…, driver.…, recorder.…=value; of "
+                   "a scenario that sweeps one, its value")
+      ->allow_extra_args(false);
   command->add_option("-o,--out", a->log, "the CARMEN log to write; .gz: compressed")->required();
-  command->callback([a, seed, &action] {
-    a->has_seed = seed->count() > 0;
-    action = [a] { return simulate(*a); };
-  });
+  command->callback([a, &action] { action = [a] { return simulate(*a); }; });
 }
 
 }  // namespace mapbed

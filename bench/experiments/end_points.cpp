@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "algorithms/grid/map_builder.h"
-#include "algorithms/grid/map_image.h"
 #include "bench/experiments/posed_scans.h"
+#include "bench/map_picture.h"
 #include "core/image/png.h"
 
 namespace mapbed {
@@ -61,9 +61,13 @@ RunOutcome run(const EndPointsOptions& options, const RunInput& input) {
                     {"end_point_agreement", ends.agree},
                     {"full_difference", full.mean},
                     {"full_agreement", full.agree}};
+  const auto show = [&](const std::string& name, const OccupancyMap& map) {
+    const std::string png = png_of(picture_of(map, {}, {.longest_side = 1000}));
+    outcome.files.push_back({"maps/" + name + ".png", png});
+  };
   if (input.shown && ends.cells > 0) {
-    outcome.files.push_back({"maps/end_points_odds.png", png_of(to_image(odds))});
-    outcome.files.push_back({"maps/end_points_counting.png", png_of(to_image(counting))});
+    show("end_points_odds", odds);
+    show("end_points_counting", counting);
   }
   return outcome;
 }

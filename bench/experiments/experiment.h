@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/metrics/relations.h"
 #include "bench/results.h"
 #include "core/config/settings.h"
 #include "core/geometry/trajectory.h"
@@ -25,6 +26,8 @@ struct RunInput {
   const World* world = nullptr;          // the same
   // The world's true map with cells of this size [m]; none for a recorded log.
   std::function<const TrueMap&(double resolution)> true_map = {};
+  // How the robot truly moved between pairs of stamps; none where nobody measured that.
+  std::function<const MeasuredRelations&()> relations = {};
   Rng rng{0};
   std::set<std::string> wanted;  // metrics; others need not be worked out
   bool shown = false;            // pictures of this run are wanted too
@@ -39,7 +42,8 @@ struct ResultFile {
 struct RunOutcome {
   // By name; one that is left out has no value in this run.
   std::vector<std::pair<std::string, double>> values;
-  std::string failure;  // in one line, for a run that did not come to what it should
+  std::string failure;          // in one line, for a run that did not come to what it should
+  double method_seconds = 0.0;  // [s] of processor time of the method alone; 0: not told
   std::vector<ResultFile> files;
 };
 

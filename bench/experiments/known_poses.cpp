@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "algorithms/grid/map_builder.h"
-#include "algorithms/grid/map_image.h"
 #include "bench/experiments/posed_scans.h"
+#include "bench/map_picture.h"
+#include "bench/metrics/entropy.h"
 #include "bench/metrics/map_error.h"
 #include "core/image/png.h"
 
@@ -63,20 +64,6 @@ GlassCells look_at_glass(const OccupancyMap& map, const PosedScans& posed,
   return result;
 }
 
-// [bit] mean over the known cells of -p log2 p - (1 - p) log2(1 - p).
-double mean_entropy(const OccupancyMap& map) {
-  double sum = 0.0;
-  int count = 0;
-  const auto term = [](double p) { return p > 0.0 ? -p * std::log2(p) : 0.0; };
-  map.for_each([&](CellIndex, const Occupancy& cell) {
-    if (!cell.known()) return;
-    const double p = cell.probability;
-    sum += term(p) + term(1.0 - p);
-    ++count;
-  });
-  return sum / count;
-}
-
 RunOutcome run(const KnownPosesOptions& options, const RunInput& input) {
   const PosedScans posed = posed_scans(input, options.scans);
   const OccupancyMap map = build_map(posed.scans, posed.world_from_robot, options.map);
@@ -99,7 +86,9 @@ RunOutcome run(const KnownPosesOptions& options, const RunInput& input) {
   }
   outcome.values.emplace_back("mean_entropy", mean_entropy(map));
   if (input.shown && !known_box(map).empty()) {
-    outcome.files.push_back({"maps/map.png", png_of(to_image(map))});
+    outcome.files.push_back(
+        {"maps/map.png",
+         png_of(picture_of(map, {{"true path", posed.world_from_robot}}, {.longest_side = 1000}))});
   }
   return outcome;
 }

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "algorithms/estimator.h"
-#include "algorithms/grid/map_builder.h"
-#include "algorithms/grid/map_image.h"
-#include "bench/metrics/map_error.h"
-#include "bench/metrics/trajectory_error.h"
+#include "bench/experiments/slam_judge.h"
+#include "bench/map_picture.h"
+#include "bench/process_cost.h"
 #include "bench/report/replay.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
@@ -18,22 +15,13 @@ namespace {
 
 struct SlamOptions {
   std::string estimator = "scan_matching";
-  double success_distance = 1.0;  // [m]
-  double failure_distance = 2.0;  // [m]
-  double path_length = 5.0;       // [m]
-  MapOptions map;
+  JudgeOptions judge;
 };
 
 template <class Visitor>
 void visit_fields(SlamOptions& o, Visitor&& visit) {
   visit("estimator", o.estimator, "who finds the trajectory; 'mapbed list methods'");
-  visit("success_distance", o.success_distance, Unit::meter, kPositive,
-        "a run with a smaller largest_error is a success");
-  visit("failure_distance", o.failure_distance, Unit::meter, kPositive,
-        "a run with a larger largest_error is a failure");
-  visit("path_length", o.path_length, Unit::meter, kPositive,
-        "of true path, over which relative errors are taken");
-  visit("map", o.map, "how the map is made of scans and poses");
+  visit_fields(o.judge, visit);
 }
 
 // The options, and the settings of the method that they name.
@@ -80,50 +68,11 @@ std::string complete_yaml(const Settings& settings) {
   return yaml;
 }
 
-double largest(const std::vector<PosePair>& pairs) {
-  double result = 0.0;
-  const Pose2 world_from_map = pairs.front().truth * inverse(pairs.front().estimate);
-  for (const PosePair& pair : pairs) {
-    result = std::max(result, distance(pair.truth, world_from_map * pair.estimate));
-  }
-  return result;
-}
-
-Trajectory transformed(const Trajectory& map_from_robot, const Pose2& world_from_map) {
-  Trajectory result = map_from_robot;
-  for (StampedPose& stamped : result) stamped.pose = world_from_map * stamped.pose;
-  return result;
-}
-
-void judge_trajectory(const SlamOptions& options, const Trajectory& truth,
-                      const std::vector<PosePair>& pairs, const Trajectory& estimate,
-                      const Pose2& world_from_map, RunOutcome& outcome) {
-  const PoseErrors absolute = absolute_error(pairs, world_from_map);
-  const PoseErrors over_path = error_over_path(truth, estimate, options.path_length);
-  const double largest_error = largest(pairs);
-  auto& values = outcome.values;
-  values.emplace_back("translation_error", absolute.translation.rmse);
-  values.emplace_back("rotation_error", absolute.rotation.rmse);
-  values.emplace_back("largest_error", largest_error);
-  values.emplace_back("relative_translation", over_path.translation.mean);
-  values.emplace_back("relative_rotation", over_path.rotation.mean);
-  values.emplace_back("success", largest_error < options.success_distance ? 1.0 : 0.0);
-  values.emplace_back("failures", largest_error > options.failure_distance ? 1.0 : 0.0);
-  if (largest_error > options.failure_distance) {
-    outcome.failure = fmt::format("largest position error {:.2f} m", largest_error);
-  }
-}
-
-void judge_map(const OccupancyMap& map, const RunInput& input, RunOutcome& outcome) {
-  const MapErrors errors = compare_maps(map, input.true_map(map.resolution()));
-  outcome.values.emplace_back("map_f1", errors.f1());
-  outcome.values.emplace_back("map_precision", errors.precision());
-  outcome.values.emplace_back("map_recall", errors.recall());
-}
-
-bool wants_map(const RunInput& input) {
-  return input.wanted.contains("map_f1") || input.wanted.contains("map_precision") ||
-         input.wanted.contains("map_recall");
+ResultFile picture_file(const RunInput& input, SlamJudge& judge) {
+  std::vector<DrawnPath> paths;
+  if (!input.truth.empty()) paths.push_back({"true path", input.truth});
+  paths.push_back({"estimated path", judge.world_from_robot()});
+  return {"maps/map.png", png_of(picture_of(judge.map(), paths, {.longest_side = 1000}))};
 }
 
 // The run to be watched, in the world's frame.
@@ -142,28 +91,19 @@ RunOutcome run(const Settings& settings, const RunInput& input) {
   const Setup setup = setup_of(settings);
   const auto estimator =
       method_by_name(setup.options.estimator).make(setup.of_method, input.rng.stream("estimator"));
+  RunOutcome outcome;
+  const double start = processor_time();
   for (const Measurement& measurement : input.log) estimator->add(measurement);
   const Estimate estimate = estimator->estimate();
+  outcome.method_seconds = processor_time() - start;
 
-  RunOutcome outcome;
-  const Trajectory& path = estimate.trajectory;
-  outcome.values.emplace_back("untrusted_scans", estimate.untrusted_scans);
-  outcome.values.emplace_back("path_length", path_length(path));
-  Pose2 world_from_map;
-  const std::vector<PosePair> pairs = associated(input.truth, path);
-  if (!pairs.empty()) {
-    world_from_map = alignment(pairs);
-    judge_trajectory(setup.options, input.truth, pairs, path, world_from_map, outcome);
-  }
-  const bool judges_map = wants_map(input) && input.true_map;
-  if (!judges_map && !input.shown) return outcome;
-  const Trajectory world_from_robot = transformed(path, world_from_map);
-  const OccupancyMap map = build_map(input.log, world_from_robot, setup.options.map);
-  if (judges_map) judge_map(map, input, outcome);
-  if (input.shown && !known_box(map).empty()) {
-    outcome.files.push_back({"maps/map.png", png_of(to_image(map))});
-    outcome.files.push_back({"trajectories/estimate.tum", tum_text(world_from_robot)});
-    outcome.files.push_back(replay_file(input, setup.options.estimator, world_from_robot));
+  SlamJudge judge(setup.options.judge, input, estimate);
+  outcome.values = judge.values();
+  outcome.failure = judge.failure();
+  if (input.shown && !known_box(judge.map()).empty()) {
+    outcome.files.push_back(picture_file(input, judge));
+    outcome.files.push_back({"trajectories/estimate.tum", tum_text(judge.world_from_robot())});
+    outcome.files.push_back(replay_file(input, setup.options.estimator, judge.world_from_robot()));
   }
   return outcome;
 }
@@ -171,22 +111,7 @@ RunOutcome run(const Settings& settings, const RunInput& input) {
 }  // namespace
 
 Experiment slam_experiment() {
-  return {"slam",
-          "a method finds the trajectory in a log",
-          true,
-          {{"translation_error", Unit::meter, "ATE: RMS distance, after the best alignment"},
-           {"rotation_error", Unit::radian, "ATE: RMS turn, after the best alignment"},
-           {"largest_error", Unit::meter, "largest distance, the first poses aligned"},
-           {"relative_translation", Unit::meter, "mean error over path_length of true path"},
-           {"relative_rotation", Unit::radian, "the same of the turn"},
-           {"success", Unit::none, "1: largest_error is below success_distance", 0.0},
-           {"failures", Unit::none, "1: largest_error is above failure_distance", 1.0},
-           {"map_f1", Unit::none, "of occupied cells against the world's own map, see map_error.h"},
-           {"map_precision", Unit::none, "share of the occupied cells that are right"},
-           {"map_recall", Unit::none, "share of the true occupied cells that were found"},
-           {"untrusted_scans", Unit::none, "scans whose match was not trusted"},
-           {"path_length", Unit::meter, "of the estimated path"}},
-          complete_yaml,
+  return {"slam", "a method finds the trajectory in a log", true, slam_metrics(), complete_yaml,
           run};
 }
 

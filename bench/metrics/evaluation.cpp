@@ -43,9 +43,9 @@ std::string rows_of(const RelationsError& error) {
   return fmt::format(
       "relations: {} compared, {} skipped (a stamp more than 5 s outside the estimate)\n"
       "  translation  mean {:.6f} m, std {:.6f} m\n"
-      "  rotation     mean {:.6f} deg\n",
+      "  rotation     mean {:.6f} deg, std {:.6f} deg\n",
       error.count, error.skipped, error.mean_translation, error.sigma_translation,
-      degrees(error.mean_rotation));
+      degrees(error.mean_rotation), degrees(error.sigma_rotation));
 }
 
 std::string rows_of(const TruthErrors& errors) {
@@ -76,7 +76,9 @@ Json json_of(const RelationsError& error) {
           {"mean_translation_m", error.mean_translation},
           {"std_translation_m", error.sigma_translation},
           {"mean_rotation_rad", error.mean_rotation},
-          {"mean_rotation_deg", degrees(error.mean_rotation)}};
+          {"std_rotation_rad", error.sigma_rotation},
+          {"mean_rotation_deg", degrees(error.mean_rotation)},
+          {"std_rotation_deg", degrees(error.sigma_rotation)}};
 }
 
 Json json_of(const TruthErrors& errors) {

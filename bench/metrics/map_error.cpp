@@ -58,6 +58,10 @@ class Lookup {
   const MapErrorOptions& options_;
 };
 
+Eigen::Vector2d center_of(const TrueMap& truth, int x, int y) {
+  return truth.origin + truth.resolution * Eigen::Vector2d(x + 0.5, y + 0.5);
+}
+
 }  // namespace
 
 double MapErrors::precision() const {
@@ -74,6 +78,37 @@ double MapErrors::f1() const {
   return p + r > 0.0 ? 2.0 * p * r / (p + r) : p + r;  // 0, or NaN
 }
 
+double MapConfusion::coverage() const {
+  return share(truly_free.known(), truly_free.known() + truly_free.unknown);
+}
+
+double MapConfusion::free_as_occupied() const {
+  return share(truly_free.occupied, truly_free.known());
+}
+
+double MapConfusion::occupied_as_free() const {
+  return share(truly_occupied.free, truly_occupied.known());
+}
+
+MapConfusion confusion_of(const OccupancyMap& map, const TrueMap& truth,
+                          const MapErrorOptions& options) {
+  MapConfusion confusion;
+  for (int y = 0; y < truth.height; ++y) {
+    for (int x = 0; x < truth.width; ++x) {
+      const TrueCell is = truth.at(x, y);
+      if (is != TrueCell::free && is != TrueCell::occupied) continue;
+      MapSays& says = is == TrueCell::free ? confusion.truly_free : confusion.truly_occupied;
+      const Occupancy& cell = map[map.cell_of(center_of(truth, x, y))];
+      if (!cell.known()) {
+        ++says.unknown;
+      } else {
+        ++(cell.probability >= options.occupied ? says.occupied : says.free);
+      }
+    }
+  }
+  return confusion;
+}
+
 MapErrors compare_maps(const OccupancyMap& map, const TrueMap& truth,
                        const MapErrorOptions& options) {
   const Lookup look(map, truth, options);
@@ -86,8 +121,7 @@ MapErrors compare_maps(const OccupancyMap& map, const TrueMap& truth,
   for (int y = 0; y < truth.height; ++y) {
     for (int x = 0; x < truth.width; ++x) {
       if (truth.at(x, y) != TrueCell::occupied) continue;
-      const Eigen::Vector2d center =
-          truth.origin + truth.resolution * Eigen::Vector2d(x + 0.5, y + 0.5);
+      const Eigen::Vector2d center = center_of(truth, x, y);
       if (!look.map_knows_near(center)) continue;
       ++errors.true_occupied;
       if (look.map_is_occupied_near(center)) ++errors.found;

@@ -18,10 +18,33 @@ struct MapErrors {
   int true_occupied = 0;  // cells of the truth, near which the map knows something
   int found = 0;          // of these, with an occupied cell of the map within the tolerance
 
+  int spurious() const { return occupied - right; }
   double precision() const;  // NaN where there is nothing to count, as the others
   double recall() const;
   double f1() const;
 };
+
+// What the map says of cells that truly are of one kind.
+struct MapSays {
+  int free = 0;
+  int occupied = 0;
+  int unknown = 0;
+
+  int known() const { return free + occupied; }
+};
+
+// Cell by cell, without tolerance. The inside of things, and what nobody gets to see, is left out.
+struct MapConfusion {
+  MapSays truly_free;
+  MapSays truly_occupied;
+
+  double coverage() const;          // share of the truly free cells that the map knows; NaN: none
+  double free_as_occupied() const;  // share of the known truly free cells, as the next
+  double occupied_as_free() const;
+};
+
+MapConfusion confusion_of(const OccupancyMap& map, const TrueMap& truth,
+                          const MapErrorOptions& options = {});
 
 MapErrors compare_maps(const OccupancyMap& map, const TrueMap& truth,
                        const MapErrorOptions& options = {});

@@ -48,5 +48,27 @@ TEST(MapError, WhatWasNeverSeenDoesNotCount) {
   EXPECT_TRUE(std::isnan(compare_maps(OccupancyMap(1.0), true_wall()).f1()));
 }
 
+TEST(MapError, SpuriousCellsAreThoseWithoutATrueOneNear) {
+  OccupancyMap map = map_with_wall(5, 10);
+  map.at({6, 3}) = map.at({9, 9}) = map.at({1, 0}) = known(0.9);  // the first is near the wall
+  EXPECT_EQ(compare_maps(map, true_wall()).spurious(), 2);
+}
+
+// Ten columns of ten cells; the truth has its wall in the sixth and does not know the last.
+TEST(MapConfusion, CountsEveryCellOfWhichTheWorldKnows) {
+  TrueMap truth = true_wall();
+  for (int y = 0; y < 10; ++y) truth.cells[truth.index(9, y)] = TrueCell::unknown;
+  OccupancyMap map = map_with_wall(4, 5);
+  for (int y = 0; y < 10; ++y) map.at({0, y}) = Occupancy{};
+  const MapConfusion confusion = confusion_of(map, truth);
+  EXPECT_EQ(confusion.truly_free.occupied, 5);
+  EXPECT_EQ(confusion.truly_free.unknown, 10);
+  EXPECT_EQ(confusion.truly_free.free, 80 - 5 - 10);
+  EXPECT_EQ(confusion.truly_occupied.free, 10);
+  EXPECT_DOUBLE_EQ(confusion.coverage(), 70.0 / 80.0);
+  EXPECT_DOUBLE_EQ(confusion.free_as_occupied(), 5.0 / 70.0);
+  EXPECT_DOUBLE_EQ(confusion.occupied_as_free(), 1.0);
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -69,6 +69,20 @@ std::optional<Pose2> robot_at(const Trajectory& estimate, const Trajectory& odom
                normalized_angle(p.theta + share * angle_difference(p.theta, q.theta))};
 }
 
+// NaN where there are none, as the next.
+double mean_of(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                        : sum / static_cast<double>(values.size());
+}
+
+double sigma_of(const std::vector<double>& values, double mean) {
+  std::vector<double> squares;
+  for (const double value : values) squares.push_back(std::pow(value - mean, 2));
+  return std::sqrt(mean_of(squares));
+}
+
 Relation parsed(std::string_view line, const Place& place) {
   std::array<double, 8> field{};
   for (double& number : field) {
@@ -88,18 +102,21 @@ Relation parsed(std::string_view line, const Place& place) {
 }  // namespace
 
 std::vector<Relation> load_relations(const std::string& path) {
-  const std::string content = read_text_file(path);
+  return parse_relations(path, read_text_file(path));
+}
+
+std::vector<Relation> parse_relations(const std::string& name, std::string_view text) {
   std::vector<Relation> relations;
-  std::string_view rest = content;
+  std::string_view rest = text;
   for (long number = 1; !rest.empty(); ++number) {
     std::string_view line = next_line(rest);
     std::string_view words = line;
     const std::string_view first = next_word(words);
     if (first.empty() || first.starts_with('#')) continue;
-    relations.push_back(parsed(line, {path, number}));
+    relations.push_back(parsed(line, {name, number}));
   }
   if (relations.empty()) {
-    throw InputError({path}, "holds no relation", "a line is 't1 t2 x y z roll pitch yaw'");
+    throw InputError({name}, "holds no relation", "a line is 't1 t2 x y z roll pitch yaw'");
   }
   return relations;
 }
@@ -112,7 +129,7 @@ RelationsError relations_error(const Trajectory& estimate, const std::vector<Rel
 
   RelationsError result;
   std::vector<double> offsets;
-  double turned = 0.0;
+  std::vector<double> turns;
   for (const Relation& relation : relations) {
     const std::optional<Pose2> a = robot_at(path, dead_reckoning, relation.from_time);
     const std::optional<Pose2> b = robot_at(path, dead_reckoning, relation.to_time);
@@ -122,18 +139,14 @@ RelationsError relations_error(const Trajectory& estimate, const std::vector<Rel
     }
     const Pose2 error = motion_between(relation.from_to, motion_between(*a, *b));
     offsets.push_back(std::hypot(error.x, error.y));
-    turned += std::abs(error.theta);
+    turns.push_back(std::abs(error.theta));
   }
 
   result.count = static_cast<int>(offsets.size());
-  const double n = result.count > 0 ? result.count : std::numeric_limits<double>::quiet_NaN();
-  double sum = 0.0;
-  for (const double offset : offsets) sum += offset;
-  result.mean_translation = sum / n;
-  double squares = 0.0;
-  for (const double offset : offsets) squares += std::pow(offset - result.mean_translation, 2);
-  result.sigma_translation = std::sqrt(squares / n);
-  result.mean_rotation = turned / n;
+  result.mean_translation = mean_of(offsets);
+  result.sigma_translation = sigma_of(offsets, result.mean_translation);
+  result.mean_rotation = mean_of(turns);
+  result.sigma_rotation = sigma_of(turns, result.mean_rotation);
   return result;
 }
 

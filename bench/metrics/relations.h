@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/geometry/trajectory.h"
@@ -24,6 +25,13 @@ struct Relation {
 // Lines "t1 t2 x y z roll pitch yaw" [s], [m], [rad], plain or gzip; z, roll and pitch are not
 // used. Throws InputError.
 std::vector<Relation> load_relations(const std::string& path);
+std::vector<Relation> parse_relations(const std::string& name, std::string_view text);
+
+// What was measured of the way through a log.
+struct MeasuredRelations {
+  std::vector<Relation> relations;
+  Trajectory odometry;  // reaches stamps between the poses of an estimate; may be empty
+};
 
 struct RelationsError {
   int count = 0;                 // relations that were compared
@@ -31,6 +39,7 @@ struct RelationsError {
   double mean_translation = 0;   // [m] NaN where count is 0, as all below
   double sigma_translation = 0;  // [m] of the population
   double mean_rotation = 0;      // [rad]
+  double sigma_rotation = 0;     // [rad] of the population
 };
 
 // A stamp between two poses is reached by odometry from both and blended by time; without odometry

@@ -59,6 +59,11 @@ Axis metric_axis(const Metric& metric, const std::string& label, bool logarithmi
 }
 
 bool is_shown(const Results& results, const PlotSpec& spec, int variant) {
+  const bool was_run =
+      results.skipped.empty() ||
+      std::any_of(results.summary.begin(), results.summary.end(),
+                  [&](const SummaryRow& row) { return row.variant == variant && row.runs > 0; });
+  if (!was_run) return false;
   const std::string& name = results.variants[static_cast<std::size_t>(variant)];
   return spec.variants.empty() ||
          std::find(spec.variants.begin(), spec.variants.end(), name) != spec.variants.end();
@@ -139,6 +144,7 @@ void add_means(const Results& results, const PlotSpec& spec, int metric, int x_a
   int runs = 0, failed = 0, missing = 0, least = std::numeric_limits<int>::max(), most = 0;
   for (const SummaryRow& row : results.summary) {
     if (row.metric != metric || !is_shown(results, spec, row.variant)) continue;
+    if (row.runs == 0) continue;  // skipped
     Series& series = series_of(plot, series_name(results, row.level, row.variant, x_axis), mark);
     series.x.push_back(place_of(results, plot, row, x_axis));
     series.y.push_back(shown(row.mean, unit));

@@ -50,6 +50,7 @@ void read_head(const fs::path& path, ResultFolder& result) {
   result.about = text("about");
   result.thesis = text("thesis");
   result.quick = text("quick") == "true";
+  if (const ConfigNode* skipped = scenario.find("skipped")) result.skipped = skipped->texts();
 }
 
 }  // namespace

@@ -22,9 +22,10 @@ struct NamedFile {
 struct ResultFolder {
   std::string folder;
   std::string id;
-  std::string about;   // the question
-  std::string thesis;  // "Figure 3.10"; empty: nothing of the thesis
-  bool quick = false;  // the reduced run
+  std::string about;                 // the question
+  std::string thesis;                // "Figure 3.10"; empty: nothing of the thesis
+  bool quick = false;                // the reduced run
+  std::vector<std::string> skipped;  // what was not run and why
   CsvTable claims, summary, runs, cost;
   std::vector<NamedFile> figures;  // SVG
   std::vector<NamedFile> maps;     // PNG

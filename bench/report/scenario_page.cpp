@@ -97,6 +97,14 @@ std::string replays_html(const ResultFolder& result) {
   return html;
 }
 
+std::string skipped_html(const ResultFolder& result) {
+  std::string html;
+  for (const std::string& line : result.skipped) {
+    html += "<p class=\"note\">Left out: " + xml_escaped(line) + ".</p>\n";
+  }
+  return html;
+}
+
 double shown(double value, const std::string& unit) {
   return unit.starts_with("rad") ? value * 180.0 / std::numbers::pi : value;
 }
@@ -170,7 +178,7 @@ std::string failures_html(const ResultFolder& result) {
 
 std::string cost_html(const ResultFolder& result) {
   if (result.cost.size() < 2) return "";
-  double seconds = 0.0, recording = 0.0, recorded = 0.0, memory = 0.0;
+  double seconds = 0.0, recording = 0.0, method = 0.0, recorded = 0.0, memory = 0.0;
   const auto number = [&](std::size_t row, const char* column) {
     const double value = parse_csv_number(field(result.cost, row, column));
     return std::isnan(value) ? 0.0 : value;
@@ -178,6 +186,7 @@ std::string cost_html(const ResultFolder& result) {
   for (std::size_t row = 1; row < result.cost.size(); ++row) {
     seconds += number(row, "seconds");
     recording += number(row, "recording_seconds");
+    method += number(row, "method_seconds");
     recorded += number(row, "recorded_seconds");
     memory = std::max(memory, number(row, "peak_memory_bytes"));
   }
@@ -189,6 +198,10 @@ std::string cost_html(const ResultFolder& result) {
   if (seconds > 0.0 && recorded > 0.0) {
     text += fmt::format(" The logs last {} s: {} times as long as the runs took.",
                         number_text(recorded), number_text(recorded / seconds));
+  }
+  if (method > 0.0) {
+    text += fmt::format(" The methods themselves took {} s: {} times real time.",
+                        number_text(method), number_text(recorded / method));
   }
   return text + "</p>\n";
 }
@@ -247,7 +260,7 @@ std::string scenario_page(const ResultFolder& result) {
   if (!result.thesis.empty()) {
     page.body += "<p>Stands beside the thesis: " + xml_escaped(result.thesis) + "</p>\n";
   }
-  page.body += badges_html(result) + "</header>\n<main>\n";
+  page.body += badges_html(result) + skipped_html(result) + "</header>\n<main>\n";
   page.body += section("Claims", claims_html(result));
   page.body += section("Figures", figures_html(result));
   page.body += section("Maps", maps_html(result));

@@ -112,6 +112,9 @@ bool is_strict(Claim::Relation relation) {
   return relation == Claim::Relation::below || relation == Claim::Relation::above;
 }
 
+// In the order of what is worth telling.
+enum class Verdict : int { fails, not_judged, holds };
+
 // One comparison: a variant at a level.
 struct Comparison {
   int level = 0;
@@ -120,8 +123,13 @@ struct Comparison {
   double bound = 0.0;
   double margin = 0.0;
   int missing = 0;
-  bool holds = false;
+  Verdict verdict = Verdict::fails;
 };
+
+int count_of(const std::vector<Comparison>& all, Verdict verdict) {
+  return static_cast<int>(std::count_if(all.begin(), all.end(),
+                                        [&](const Comparison& c) { return c.verdict == verdict; }));
+}
 
 class Judge {
  public:
@@ -149,9 +157,11 @@ class Judge {
       result.measured = "this run has no such level";
       return result;
     }
-    result.held = std::all_of(all.begin(), all.end(), [](const Comparison& c) { return c.holds; });
+    const bool fails = count_of(all, Verdict::fails) > 0;
+    result.judged = fails || count_of(all, Verdict::not_judged) == 0;
+    result.held = result.judged && !fails;
     result.measured = figures_of(all);
-    if (claim_.sign_test) add_sign_test(result);
+    if (claim_.sign_test && result.judged) add_sign_test(result);
     return result;
   }
 
@@ -161,16 +171,29 @@ class Judge {
     Comparison c{.level = level, .variant = variant, .missing = row.missing};
     c.value = value_of(row, claim_.statistic);
     c.bound = number_;
+    bool judged = can_be_judged(row);
     if (other_ >= 0) {
       const SummaryRow& other = summary_row(results_, level, other_, other_metric_);
       c.bound = value_of(other, claim_.statistic);
       c.missing += other.missing;
+      judged = judged && can_be_judged(other);
     }
     c.bound *= claim_.times;
     c.margin = margin(claim_.relation, c.value, c.bound, within_);
     const bool enough = is_strict(claim_.relation) ? c.margin > 0.0 : c.margin >= 0.0;
-    c.holds = enough && c.missing == 0;  // NaN: not enough
+    if (!judged) {
+      c.verdict = Verdict::not_judged;
+    } else {
+      c.verdict = enough && c.missing == 0 ? Verdict::holds : Verdict::fails;  // NaN: not enough
+    }
     return c;
+  }
+
+  // Runs that were skipped say nothing, and a reduced run may be too short for a value. A run that
+  // failed counts all the same.
+  bool can_be_judged(const SummaryRow& row) const {
+    if (row.runs == 0) return false;
+    return !results_.quick || row.missing <= row.failed;
   }
 
   std::string figure(double value) const {
@@ -187,7 +210,7 @@ class Judge {
   std::string figures_of(const std::vector<Comparison>& all) const {
     const auto worst =
         std::min_element(all.begin(), all.end(), [](const Comparison& a, const Comparison& b) {
-          if (a.holds != b.holds) return b.holds;
+          if (a.verdict != b.verdict) return a.verdict < b.verdict;
           return a.margin < b.margin;
         });
     std::string text = figure(worst->value) + " against " + figure(worst->bound);
@@ -198,10 +221,11 @@ class Judge {
       where +=
           (where.empty() ? "" : ", ") + results_.variants[static_cast<std::size_t>(worst->variant)];
     }
-    const auto failed =
-        std::count_if(all.begin(), all.end(), [](const Comparison& c) { return !c.holds; });
-    return fmt::format("worst at {}: {}; {} of {} hold", where, text,
-                       all.size() - static_cast<std::size_t>(failed), all.size());
+    text = fmt::format("worst at {}: {}; {} of {} hold", where, text, count_of(all, Verdict::holds),
+                       all.size());
+    const int not_judged = count_of(all, Verdict::not_judged);
+    if (not_judged > 0) text += fmt::format(", {} without a value", not_judged);
+    return text;
   }
 
   void add_sign_test(ClaimResult& result) const {
@@ -216,6 +240,7 @@ class Judge {
           std::find_if(results_.runs.begin(), results_.runs.end(), [&](const RunRow& other) {
             return other.variant == other_ && other.level == run.level && other.seed == run.seed;
           });
+      CHECK(pair != results_.runs.end());  // skipped runs are not judged
       const double difference =
           margin(claim_.relation, run.values[static_cast<std::size_t>(metric_)],
                  pair->values[static_cast<std::size_t>(other_metric_)] * claim_.times, 0.0);

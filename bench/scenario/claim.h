@@ -42,7 +42,9 @@ Claim claim_of(const ConfigNode& node);
 void check_claim(const Claim& claim, const Results& plan);
 
 // By results.summary and results.runs. A claim holds where it does so at all its levels and for all
-// its variants; a level without any value, or with runs that have none, does not count for it.
+// its variants; a level without any value, or with runs that have none, counts against it. Not
+// judged is a claim that fails nowhere and has levels without a value because their runs were
+// skipped or, in a quick run, too short to give one; runs that failed are never the reason.
 ClaimResult judge(const Claim& claim, const Results& results);
 
 std::string text_of(const Claim& claim, const Results& results);

@@ -68,6 +68,38 @@ TEST(Claim, IsNotJudgedWhereTheQuickRunHasNoSuchLevel) {
   EXPECT_FALSE(result.held);
 }
 
+TEST(Claim, IsNotJudgedWhereTheQuickRunIsTooShortForAValue) {
+  Results results = results_of({{1}, {1}, {kNone}}, {{2}, {2}, {2}});
+  EXPECT_TRUE(judged("{metric: error, of: a, below: 9 m}", results).judged);
+  results.quick = true;
+  const ClaimResult result = judged("{metric: error, of: a, below: b}", results);
+  EXPECT_FALSE(result.judged);
+  EXPECT_FALSE(result.held);
+  EXPECT_THAT(result.measured, ::testing::HasSubstr("2 of 3 hold, 1 without a value"));
+  // Where it fails, it does so whatever the rest would say.
+  const ClaimResult fails = judged("{metric: error, of: a, above: b}", results);
+  EXPECT_TRUE(fails.judged);
+  EXPECT_FALSE(fails.held);
+}
+
+TEST(Claim, AFailedRunCountsInAQuickRunToo) {
+  Results results = results_of({{1}, {1}, {kNone}}, {{2}, {2}, {2}});
+  results.quick = true;
+  results.runs[4].failure = "no match";  // of a, at the third level
+  results.summary = summarise(results);
+  const ClaimResult result = judged("{metric: error, of: a, below: b}", results);
+  EXPECT_TRUE(result.judged);
+  EXPECT_FALSE(result.held);
+}
+
+TEST(Claim, SkippedRunsSayNothing) {
+  Results results = results_of({{1}, {1}, {}}, {{2}, {2}, {}});
+  const ClaimResult result = judged("{metric: error, of: a, below: b, test: sign}", results);
+  EXPECT_FALSE(result.judged);
+  EXPECT_FALSE(judged("{metric: error, of: a, above: b, at: {x: 1}}", results).held);
+  EXPECT_TRUE(judged("{metric: error, of: a, below: b, at: {x: 1}}", results).held);
+}
+
 TEST(Claim, TheUpperHalfBeginsInTheMiddle) {
   const Results results = results_of({{9}, {1}, {1}}, {{2}, {2}, {2}});
   EXPECT_TRUE(judged("{metric: error, of: a, below: b, at: upper half}", results).held);

@@ -83,6 +83,9 @@ std::string scenario_text(const ScenarioPlan& plan) {
   text += "variants: " + list_text(plan.results.variants) + "\n";
   text += "metrics:\n";
   for (const Metric& metric : plan.results.metrics) text += "  - " + metric_text(metric) + "\n";
+  if (!plan.results.skipped.empty()) {
+    text += "skipped: " + list_text(plan.results.skipped) + "\n";
+  }
   text += plan.results.plots.empty() ? "plots: []\n" : "plots:\n";
   for (const PlotSpec& plot : plan.results.plots) text += "  - " + plot_text(plot) + "\n";
   text += scenario.claims.empty() ? "claims: []\n" : "claims:\n";
@@ -146,6 +149,7 @@ Results load_planned(const std::string& config_path) {
   for (const ConfigNode& metric : scenario.at("metrics").items()) {
     results.metrics.push_back(metric_of(metric));
   }
+  if (const ConfigNode* skipped = scenario.find("skipped")) results.skipped = skipped->texts();
   for (const ConfigNode& plot : scenario.at("plots").items()) {
     results.plots.push_back(plot_of(plot));
   }

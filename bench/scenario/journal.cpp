@@ -17,20 +17,17 @@ namespace mapbed {
 namespace {
 
 constexpr std::size_t kChecksum = 16;  // [hexadecimal digits]
-constexpr std::size_t kFixedFields = 7;
+constexpr std::size_t kFixedFields = 8;
 
 std::string with_checksum(const std::string& line) {
   return sha256(line).substr(0, kChecksum) + "," + line;
 }
 
 std::string line_of(const Journal::Entry& entry) {
-  CsvRow row{fmt::to_string(entry.row.run),
-             fmt::to_string(entry.row.seed),
-             csv_number(entry.cost.seconds),
-             csv_number(entry.cost.recording_seconds),
-             csv_number(entry.cost.recorded_seconds),
-             csv_number(entry.cost.peak_memory),
-             entry.row.failure};
+  CsvRow row{fmt::to_string(entry.row.run),         fmt::to_string(entry.row.seed),
+             csv_number(entry.cost.seconds),        csv_number(entry.cost.recording_seconds),
+             csv_number(entry.cost.method_seconds), csv_number(entry.cost.recorded_seconds),
+             csv_number(entry.cost.peak_memory),    entry.row.failure};
   for (const double value : entry.row.values) row.push_back(csv_number(value));
   return csv_line(row);
 }
@@ -41,9 +38,10 @@ Journal::Entry entry_of(const CsvRow& row) {
   entry.row.seed = std::stoull(row[1]);
   entry.cost.seconds = parse_csv_number(row[2]);
   entry.cost.recording_seconds = parse_csv_number(row[3]);
-  entry.cost.recorded_seconds = parse_csv_number(row[4]);
-  entry.cost.peak_memory = parse_csv_number(row[5]);
-  entry.row.failure = row[6];
+  entry.cost.method_seconds = parse_csv_number(row[4]);
+  entry.cost.recorded_seconds = parse_csv_number(row[5]);
+  entry.cost.peak_memory = parse_csv_number(row[6]);
+  entry.row.failure = row[7];
   for (std::size_t i = kFixedFields; i < row.size(); ++i) {
     entry.row.values.push_back(parse_csv_number(row[i]));
   }

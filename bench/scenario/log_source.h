@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bench/experiments/experiment.h"
+#include "bench/simulate.h"
 #include "core/config/settings.h"
 
 namespace mapbed {
@@ -31,8 +32,14 @@ struct SourcePlan {
   // Two runs with the same key and seed share a recording.
   std::string key;
   bool depends_on_seed = true;  // false: a recorded log
+  // Why there is nothing to work on: "the log 'intel' is not here (intel/intel.clf.gz)". Not an
+  // error, for recorded logs are no part of the program. Empty: it is here.
+  std::string missing = {};
 };
 SourcePlan plan_source(const Settings& settings);
+
+// Of settings without 'log'. Throws InputError.
+SimulationPlan simulation_plan(const Settings& settings, std::uint64_t seed);
 
 std::unique_ptr<LogSource> open_source(const Settings& settings, std::uint64_t seed);
 

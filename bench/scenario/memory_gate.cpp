@@ -6,8 +6,6 @@
 #include <limits>
 #include <string>
 
-#include <sys/resource.h>
-
 #include "core/check.h"
 
 namespace mapbed {
@@ -47,12 +45,6 @@ double available_memory() {
     file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
   return std::numeric_limits<double>::infinity();
-}
-
-double peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);  // Linux counts in KiB
 }
 
 }  // namespace mapbed

@@ -28,6 +28,5 @@ class MemoryGate {
 };
 
 double available_memory();  // [bytes] infinite where the system does not tell
-double peak_memory();       // [bytes] of this program so far
 
 }  // namespace mapbed

@@ -1,6 +1,7 @@
 #include "bench/scenario/plan.h"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -81,20 +82,24 @@ Results empty_results(const Scenario& scenario, const Experiment& experiment) {
   return results;
 }
 
-PlannedRuns planned_runs(const Scenario& scenario, const Experiment& experiment, const Level& level,
-                         const Variant& variant) {
-  PlannedRuns planned{.settings = divided(settings_of(scenario, level, variant))};
-  planned.experiment_yaml = experiment.complete_yaml(planned.settings.experiment);
-  if (experiment.needs_log) {
-    planned.source = plan_source(planned.settings.source);
-  } else if (!planned.settings.source.empty()) {
-    const Setting& setting = planned.settings.source.front();
-    throw InputError(setting.place,
-                     in_quotes(setting.path) + " says nothing to the experiment " +
-                         experiment.name + ", which needs no log",
-                     "take it out");
+// A line for each log that is not here.
+std::vector<std::string> skipped_in(const ScenarioPlan& plan) {
+  std::map<std::string, int> runs_by_reason;
+  for (const PlannedRuns& planned : plan.planned) {
+    if (planned.source.missing.empty()) continue;
+    runs_by_reason[planned.source.missing] += plan.scenario.seeds;
   }
-  return planned;
+  std::vector<std::string> lines;
+  for (const auto& [reason, runs] : runs_by_reason) {
+    lines.push_back(fmt::format("{}: {} runs skipped", reason, runs));
+  }
+  if (!lines.empty() && plan.runs_to_do().empty()) {
+    throw InputError(
+        {plan.scenario.path}, runs_by_reason.begin()->first,
+        "set MAPBED_DATA to the folder that holds the logs; 'mapbed describe' of a log "
+        "says how to get it");
+  }
+  return lines;
 }
 
 // A key of the form that is misspelt ends among the options of the experiment.
@@ -121,6 +126,14 @@ int ScenarioPlan::runs() const {
   return scenario.seeds * static_cast<int>(planned.size());
 }
 
+std::vector<int> ScenarioPlan::runs_to_do() const {
+  std::vector<int> numbers;
+  for (int run = 0; run < runs(); ++run) {
+    if (planned_of(row(run)).source.missing.empty()) numbers.push_back(run);
+  }
+  return numbers;
+}
+
 RunRow ScenarioPlan::row(int run) const {
   const int variants = static_cast<int>(scenario.variants.size());
   const int of_a_seed = static_cast<int>(planned.size());
@@ -132,6 +145,22 @@ RunRow ScenarioPlan::row(int run) const {
 const PlannedRuns& ScenarioPlan::planned_of(const RunRow& row) const {
   return planned[static_cast<std::size_t>(row.level) * scenario.variants.size() +
                  static_cast<std::size_t>(row.variant)];
+}
+
+PlannedRuns planned_runs(const Scenario& scenario, const Experiment& experiment, const Level& level,
+                         const Variant& variant) {
+  PlannedRuns planned{.settings = divided(settings_of(scenario, level, variant))};
+  planned.experiment_yaml = experiment.complete_yaml(planned.settings.experiment);
+  if (experiment.needs_log) {
+    planned.source = plan_source(planned.settings.source);
+  } else if (!planned.settings.source.empty()) {
+    const Setting& setting = planned.settings.source.front();
+    throw InputError(setting.place,
+                     in_quotes(setting.path) + " says nothing to the experiment " +
+                         experiment.name + ", which needs no log",
+                     "take it out");
+  }
+  return planned;
 }
 
 ScenarioPlan make_plan(Scenario scenario) {
@@ -149,6 +178,7 @@ ScenarioPlan make_plan(Scenario scenario) {
       plan.planned.push_back(planned_runs(plan.scenario, *plan.experiment, level, variant));
     }
   }
+  plan.results.skipped = skipped_in(plan);
   plan.config_yaml = config_text(plan);
   return plan;
 }

@@ -25,12 +25,15 @@ struct ScenarioPlan {
   std::vector<PlannedRuns> planned;  // by level and variant, the last one fastest
   std::string config_yaml;           // complete, as it stands beside the results
 
-  int runs() const;
-  RunRow row(int run) const;  // number, level, variant and seed
+  int runs() const;                     // with those that are skipped because their log is not here
+  std::vector<int> runs_to_do() const;  // numbers of the others
+  RunRow row(int run) const;            // number, level, variant and seed
   const PlannedRuns& planned_of(const RunRow& row) const;
 };
 
-// Throws InputError with place, reason and remedy.
+// All below throw InputError with place, reason and remedy.
+PlannedRuns planned_runs(const Scenario& scenario, const Experiment& experiment, const Level& level,
+                         const Variant& variant);
 ScenarioPlan make_plan(Scenario scenario);
 
 }  // namespace mapbed

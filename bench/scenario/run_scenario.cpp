@@ -145,7 +145,7 @@ Provenance provenance_of(const ScenarioPlan& plan, const ScenarioRunOptions& opt
   p.config_sha256 = sha256(plan.config_yaml);
   p.program_sha256 = sha256_of_program();
   p.seed = plan.scenario.seed;
-  p.runs = plan.runs();
+  p.runs = static_cast<int>(run.results.runs.size());
   p.runs_done_before = run.done_before;
   p.recordings_needed = recordings_needed(plan);
   p.recordings_made = run.recordings;
@@ -158,7 +158,8 @@ Provenance provenance_of(const ScenarioPlan& plan, const ScenarioRunOptions& opt
 
 // A finished result of this very configuration and program, judged again.
 ScenarioRun finished_run(const ScenarioPlan& plan, const std::string& folder) {
-  ScenarioRun run{.results = load_results(folder), .done_before = plan.runs(), .complete = true};
+  ScenarioRun run{.results = load_results(folder), .complete = true};
+  run.done_before = static_cast<int>(run.results.runs.size());
   conclude(plan, run.results);
   fs::remove_all(fs::path(folder) / "runs");
   return run;
@@ -188,11 +189,12 @@ ScenarioRun run_scenario(
   const std::set<int> done = take_over(workshop.journal(), plan, run.results);
   run.done_before = static_cast<int>(done.size());
   std::vector<int> to_do;
-  for (int i = 0; i < plan.runs(); ++i) {
+  const std::vector<int> all = plan.runs_to_do();
+  for (const int i : all) {
     if (!done.contains(i)) to_do.push_back(i);
   }
 
-  const auto total = static_cast<std::size_t>(plan.runs());
+  const std::size_t total = all.size();
   std::atomic<bool> goes_on = true;
   RunnerCalls calls;
   calls.may_go_on = [&goes_on] { return goes_on.load(); };

@@ -1,7 +1,7 @@
 #include "bench/scenario/runner.h"
 
+#include <algorithm>
 #include <atomic>
-#include <ctime>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -10,19 +10,14 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "bench/process_cost.h"
 #include "bench/scenario/memory_gate.h"
+#include "core/check.h"
 
 namespace mapbed {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-// [s] of the calling thread.
-double processor_time() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 // Messages on one line, as rows have them.
 std::string one_line(std::string text) {
@@ -115,15 +110,27 @@ class Runner {
     }
     RunResult result{.row = row, .files = std::move(outcome.files)};
     result.row.failure = std::move(outcome.failure);
-    for (const Metric& metric : plan_.results.metrics) {
-      result.row.values.push_back(kNone);
-      for (const auto& [name, value] : outcome.values) {
-        if (name == metric.name) result.row.values.back() = value;
-      }
-    }
-    result.cost = {.run = run, .seconds = processor_time() - start, .peak_memory = peak_memory()};
+    result.row.values = wanted_values(outcome.values);
+    result.cost = {.run = run,
+                   .seconds = processor_time() - start,
+                   .method_seconds = outcome.method_seconds,
+                   .peak_memory = peak_memory()};
     if (source != nullptr) result.cost.recorded_seconds = source->recorded_seconds();
     return result;
+  }
+
+  std::vector<double> wanted_values(
+      const std::vector<std::pair<std::string, double>>& values) const {
+    std::vector<double> wanted(plan_.results.metrics.size(), kNone);
+    for (const auto& [name, value] : values) {
+      const auto is_named = [&name = name](const Metric& metric) { return metric.name == name; };
+      const auto& known = plan_.experiment->metrics;
+      CHECK(std::any_of(known.begin(), known.end(), is_named));  // else its meaning stands nowhere
+      const auto& metrics = plan_.results.metrics;
+      const auto found = std::find_if(metrics.begin(), metrics.end(), is_named);
+      if (found != metrics.end()) wanted[static_cast<std::size_t>(found - metrics.begin())] = value;
+    }
+    return wanted;
   }
 
   RunOutcome outcome_of(const RunRow& row, const LogSource* source) const {
@@ -174,9 +181,7 @@ int do_runs(const ScenarioPlan& plan, const std::vector<int>& runs, int threads,
 
 int recordings_needed(const ScenarioPlan& plan) {
   if (!plan.experiment->needs_log) return 0;
-  std::vector<int> all(static_cast<std::size_t>(plan.runs()));
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-  return static_cast<int>(groups_of(plan, all).size());
+  return static_cast<int>(groups_of(plan, plan.runs_to_do()).size());
 }
 
 }  // namespace mapbed

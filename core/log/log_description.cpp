@@ -17,14 +17,38 @@ bool is_checksum(const std::string& text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-void check_checksum(const std::string& path, const LogDescription& description) {
+StoredFile stored_file_of(const ConfigNode& node) {
+  const StoredFile stored{node.at("file").text(), node.at("sha256").text()};
+  if (!is_checksum(stored.sha256))
+    throw InputError(node.at("sha256").place(), "a SHA-256 has 64 hexadecimal digits, a to f small",
+                     "sha256sum prints it");
+  if (fs::path(stored.file).is_absolute())
+    throw InputError(node.at("file").place(), "the file's path must not be absolute",
+                     "give it relative to the folder MAPBED_DATA or to this file");
+  return stored;
+}
+
+void check_checksum(const std::string& path, const LogDescription& description,
+                    const std::string& sha256) {
   const std::string found = sha256_of_file(path);
-  if (found == description.sha256) return;
+  if (found == sha256) return;
   throw InputError({path},
                    fmt::format("is not the file that {} describes: its SHA-256 is {}…, not {}…",
                                fs::path(description.yaml_path).filename().string(),
-                               found.substr(0, 12), description.sha256.substr(0, 12)),
+                               found.substr(0, 12), sha256.substr(0, 12)),
                    "fetch it again (" + description.fetch + "), or map it by its own path");
+}
+
+// Empty where it is in none of the places.
+std::string place_of(const LogDescription& description, const StoredFile& stored) {
+  std::vector<fs::path> places;
+  const char* const data = std::getenv("MAPBED_DATA");
+  if (data != nullptr && *data != '\0') places.push_back(fs::path(data) / stored.file);
+  places.push_back(fs::path(description.yaml_path).parent_path() / stored.file);
+  for (const fs::path& place : places) {
+    if (fs::is_regular_file(place)) return place.string();
+  }
+  return {};
 }
 
 }  // namespace
@@ -34,8 +58,7 @@ LogDescription load_log_description(const std::string& yaml_path) {
   LogDescription result;
   result.yaml_path = yaml_path;
   result.about = file.at("about").text();
-  result.file = file.at("file").text();
-  result.sha256 = file.at("sha256").text();
+  result.log = stored_file_of(file);
   result.source = file.at("source").text();
   result.licence = file.at("licence").text();
   result.fetch = file.at("fetch").text();
@@ -43,30 +66,34 @@ LogDescription load_log_description(const std::string& yaml_path) {
   result.laser = file.at("laser").text();
   if (const ConfigNode* pieces = file.find("pieces")) result.pieces = pieces->texts();
   if (const ConfigNode* log = file.find("log")) read_options(*log, options_of(result.options));
+  if (const ConfigNode* relations = file.find("relations")) {
+    result.relations = stored_file_of(*relations);
+    const ConfigNode* odometry = relations->find("odometry");
+    if (odometry != nullptr) result.relations_odometry = stored_file_of(*odometry);
+  }
   file.check_all_used("log description");
-  if (!is_checksum(result.sha256))
-    throw InputError(file.at("sha256").place(), "a SHA-256 has 64 hexadecimal digits, a to f small",
-                     "sha256sum prints it");
-  if (fs::path(result.file).is_absolute())
-    throw InputError(file.at("file").place(), "the file's path must not be absolute",
-                     "give it relative to the folder MAPBED_DATA or to this file");
   return result;
 }
 
-std::string find_log(const LogDescription& description) {
-  std::vector<fs::path> places;
-  const char* const data = std::getenv("MAPBED_DATA");
-  if (data != nullptr && *data != '\0') places.push_back(fs::path(data) / description.file);
-  places.push_back(fs::path(description.yaml_path).parent_path() / description.file);
-  for (const fs::path& place : places) {
-    if (!fs::is_regular_file(place)) continue;
-    check_checksum(place.string(), description);
-    return place.string();
+std::string find_stored(const LogDescription& description, const StoredFile& stored) {
+  const std::string place = place_of(description, stored);
+  if (!place.empty()) {
+    check_checksum(place, description, stored.sha256);
+    return place;
   }
+  const std::string kind = stored.file == description.log.file ? "log" : "file";
   throw InputError({description.yaml_path},
-                   fmt::format("its log '{}' is not here", description.file),
+                   fmt::format("its {} '{}' is not here", kind, stored.file),
                    fmt::format("get it ({}) and set MAPBED_DATA to the folder that holds '{}'",
-                               description.fetch, description.file));
+                               description.fetch, stored.file));
+}
+
+bool is_here(const LogDescription& description) {
+  for (const StoredFile* stored :
+       {&description.log, &description.relations, &description.relations_odometry}) {
+    if (!stored->file.empty() && place_of(description, *stored).empty()) return false;
+  }
+  return true;
 }
 
 RecordedLog open_log(const std::string& path, const Settings& settings) {
@@ -75,7 +102,7 @@ RecordedLog open_log(const std::string& path, const Settings& settings) {
   if (path.ends_with(".yaml")) {
     const LogDescription description = load_log_description(path);
     options = description.options;
-    log = find_log(description);
+    log = find_stored(description, description.log);
   }
   apply(settings, options_of(options), "log");
   return load_log(log, options);

@@ -19,14 +19,22 @@
 //   laser: …
 //   pieces: [ … ]                        where it was rebuilt: from which public files
 //   log: {robot_from_laser: [0.78, 0, 0]}   options of log_options.h that differ
+//   relations:      where people measured how the robot moved between stamps (Kümmerle et al. 2009)
+//     file: intel/intel.relations.gz
+//     sha256: 1c…
+//     odometry: {file: …, sha256: …}   poses that reach the stamps between scans; none: linearly
 
 namespace mapbed {
+
+struct StoredFile {
+  std::string file;    // below the data folder; empty: there is none
+  std::string sha256;  // of the file as it is stored
+};
 
 struct LogDescription {
   std::string yaml_path;
   std::string about;
-  std::string file;
-  std::string sha256;
+  StoredFile log;
   std::string source;
   std::string licence;
   std::string fetch;
@@ -34,14 +42,21 @@ struct LogDescription {
   std::string laser;
   std::vector<std::string> pieces;
   LogOptions options;
+  StoredFile relations;
+  StoredFile relations_odometry;
 };
 
-// Throws InputError for a file that is none, or lacks any of the fields above but pieces and log.
+// Throws InputError for a file that is none, or lacks any of the fields above but pieces, log and
+// relations.
 LogDescription load_log_description(const std::string& yaml_path);
 
-// Where the log is: $MAPBED_DATA/<file>, or <file> beside the YAML file. Throws InputError where it
-// is in neither place, with the way to get it, or where its checksum is another one.
-std::string find_log(const LogDescription& description);
+// Where a file of the description is: $MAPBED_DATA/<file>, or <file> beside the YAML file. Throws
+// InputError where it is in neither place, with the way to get it, or where its checksum is another
+// one.
+std::string find_stored(const LogDescription& description, const StoredFile& stored);
+
+// Whether all its files are in one of these places; says nothing of their checksums.
+bool is_here(const LogDescription& description);
 
 // A log by the path of the log itself or, where that ends in .yaml, of its description, whose
 // options `settings` can still override.

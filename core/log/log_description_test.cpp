@@ -1,6 +1,7 @@
 #include "core/log/log_description.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "core/geometry/angle.h"
 #include "core/log/sha256.h"
 #include "core/testing/temporary_folder.h"
+#include "core/testing/throws_input_error.h"
 #include "core/text_file.h"
 
 namespace mapbed {
@@ -77,6 +79,29 @@ TEST_F(Description, RefusesWrongFields) {
               HasSubstr("a.yaml:9: unknown key 'lazer'"));
   EXPECT_THAT(message_of(written(log_, sha256(log_), "log: {max_rang: 3 m}\n")),
               HasSubstr("unknown key 'max_rang'"));
+}
+
+TEST_F(Description, NamesTheRelationsThatWereMeasuredAlongTheLog) {
+  write_text_file(folder_.file("a.relations"), "0 1 0.5 0 0 0 0 0\n");
+  const std::string relations =
+      fmt::format("relations: {{file: a.relations, sha256: {}}}\n", sha256("0 1 0.5 0 0 0 0 0\n"));
+  const LogDescription description = load_log_description(written(log_, sha256(log_), relations));
+  EXPECT_EQ(find_stored(description, description.relations), folder_.file("a.relations"));
+  EXPECT_TRUE(description.relations_odometry.file.empty());
+  EXPECT_TRUE(is_here(description));
+  std::filesystem::remove(folder_.file("a.relations"));
+  EXPECT_FALSE(is_here(description));
+  EXPECT_INPUT_ERROR(find_stored(description, description.relations),
+                     "its file 'a.relations' is not here");
+}
+
+TEST_F(Description, GivesOnlyTheBeginningOfALogWhereThatIsAsked) {
+  const std::string three =
+      "FLASER 3 1 2 3 0 0 0 0 0 0 5 h 0\nFLASER 3 1 2 3 0 0 0 0 0 0 6 h 0\n"
+      "FLASER 3 1 2 3 0 0 0 0 0 0 7.5 h 0\n";
+  const std::string path = written(three, sha256(three), options_);
+  EXPECT_EQ(open_log(path).measurements.size(), 6u);  // odometry and scan of each line
+  EXPECT_EQ(open_log(path, {parse_setting("longest=2 s")}).measurements.size(), 4u);
 }
 
 TEST_F(Description, TheExampleOpensWithoutAnyData) {

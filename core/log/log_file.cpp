@@ -101,6 +101,21 @@ std::unique_ptr<LogReader> make_reader(const std::string& name, std::string_view
                    "known are CARMEN, CoreSLAM, DP-SLAM and `t n ranges` with a header line");
 }
 
+// The log's first seconds.
+void keep_beginning(RecordedLog& log, const std::string& name, double longest) {
+  if (longest <= 0.0) return;
+  const double end = time_of(log.measurements.front()) + longest;
+  std::erase_if(log.measurements, [end](const Measurement& m) { return time_of(m) > end; });
+  std::erase_if(log.true_poses, [end](const StampedPose& pose) { return pose.time > end; });
+  const bool has_scan =
+      std::any_of(log.measurements.begin(), log.measurements.end(),
+                  [](const Measurement& m) { return std::holds_alternative<LaserScan>(m); });
+  if (!has_scan) {
+    throw InputError({name}, fmt::format("its first {:g} s hold no scan", longest),
+                     "take more of it by log.longest");
+  }
+}
+
 // Cuts blocks into lines and feeds them to the reader of the dialect.
 class Splitter {
  public:
@@ -121,7 +136,9 @@ class Splitter {
 
   RecordedLog finish() {
     if (!reader_) reader_ = make_reader(name_, {}, options_);
-    return reader_->finish();
+    RecordedLog log = reader_->finish();
+    keep_beginning(log, name_, options_.longest);
+    return log;
   }
 
  private:

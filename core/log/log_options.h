@@ -39,6 +39,7 @@ struct LogOptions {
   Stamp stamp = Stamp::ipc;                        // of the two stamps that a CARMEN line has
   double reorder_within = 1.0;  // [s] a stamp may be older than one before by this
   double scan_period = 0.1;     // [s] between scans of logs that have no stamps
+  double longest = 0.0;         // [s] from the first measurement on that is kept; 0: everything
   double max_text = 1e9;        // [bytes] of text, after unpacking
   WheelGeometry wheels = {};    // for logs of encoder ticks
 };
@@ -61,6 +62,8 @@ void visit_fields(LogOptions& o, Visitor&& visit) {
         "measurements late by up to this are put in order; later ones are an error");
   visit("scan_period", o.scan_period, Unit::second, kPositive,
         "between scans of logs that have no stamps");
+  visit("longest", o.longest, Unit::second, kNotNegative,
+        "how much of the log, from its first measurement on, is used; 0: all of it");
   visit("max_text", o.max_text, kPositive, "largest text, in bytes after unpacking, that is read");
   visit("wheels", o.wheels, "the robot's wheels, for logs of encoder ticks");
 }

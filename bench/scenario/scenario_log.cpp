@@ -1,0 +1,69 @@
+#include "bench/scenario/scenario_log.h"
+
+#include <algorithm>
+
+#include "bench/scenario/plan.h"
+#include "core/config/suggestion.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+std::vector<Variant> chosen_variants(const Scenario& scenario, const std::string& name) {
+  if (name.empty()) return scenario.variants;
+  std::vector<std::string> names;
+  for (const Variant& variant : scenario.variants) {
+    if (variant.name == name) return {variant};
+    names.push_back(variant.name);
+  }
+  throw InputError({scenario.path}, in_quotes(name) + " is not compared in this scenario",
+                   suggestion(name, names));
+}
+
+// How the first log that differs from the first one comes about, and the way to choose.
+[[noreturn]] void refuse_several(const Scenario& scenario, const std::vector<Variant>& variants,
+                                 const Level& level, const Variant& variant) {
+  if (variant.name != variants.front().name) {
+    throw InputError({scenario.path}, "its variants have different logs",
+                     "choose one, as in --variant " + in_quotes(variant.name));
+  }
+  for (std::size_t i = 0; i < scenario.axes.size(); ++i) {
+    const SweepAxis& axis = scenario.axes[i];
+    const bool is_of_log = !divided({{axis.path, "", {}}}).source.empty();
+    if (!is_of_log || axis.texts.size() == 1) continue;
+    const std::string& value = axis.texts[static_cast<std::size_t>(level.choice[i])];
+    throw InputError({scenario.path}, "it sweeps '" + axis.path + "', so it has several logs",
+                     "choose one, as in --set " + in_quotes(axis.path + "=" + value));
+  }
+  throw InputError({scenario.path}, "it has several logs", "choose a level with --set");
+}
+
+}  // namespace
+
+SimulationPlan simulation_in(const Scenario& scenario, const std::string& variant) {
+  const Experiment& experiment = experiment_by_name(scenario.experiment);
+  if (!experiment.needs_log) {
+    throw InputError({scenario.path}, "its experiment, " + experiment.name + ", needs no log",
+                     "simulate a scenario that has a world and a robot");
+  }
+  const std::vector<Variant> variants = chosen_variants(scenario, variant);
+  std::string first_log;
+  PlannedRuns chosen;
+  for (const Variant& of : variants) {
+    for (const Level& level : levels_of(scenario.axes)) {
+      PlannedRuns planned = planned_runs(scenario, experiment, level, of);
+      if (!planned.source.depends_on_seed) {
+        throw InputError({scenario.path}, "its log is a recorded one", "'mapbed map' works on it");
+      }
+      if (first_log.empty()) {
+        first_log = planned.source.complete_yaml;
+        chosen = std::move(planned);
+      } else if (planned.source.complete_yaml != first_log) {
+        refuse_several(scenario, variants, level, of);
+      }
+    }
+  }
+  return simulation_plan(chosen.settings.source, scenario.seed);
+}
+
+}  // namespace mapbed

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "bench/scenario/scenario.h"
+#include "bench/simulate.h"
+
+namespace mapbed {
+
+// What a scenario's runs simulate with its first seed, as it is recorded for them. Throws
+// InputError where they have more than one log: one variant is then to be chosen by its name, and
+// one value of each axis by ScenarioChoice::settings. Empty: any variant.
+SimulationPlan simulation_in(const Scenario& scenario, const std::string& variant = "");
+
+}  // namespace mapbed
