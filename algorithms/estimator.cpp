@@ -48,6 +48,10 @@ const std::vector<Method>& methods() {
           "icp", "incremental scan matching by point-to-line ICP", {.alignment = Alignment::icp}),
       method<GridSlam, GridSlamOptions>(
           "rbpf", "Rao-Blackwellised particle filter with scan matching, chapter 5"),
+      method<GridSlam, GridSlamOptions>(
+          "maximum_likelihood",
+          "the same filter, going on with its best particle alone after a loop, section 5.4.2",
+          {.best_only_after_loop = true}),
   };
   return table;
 }

@@ -21,6 +21,22 @@ struct Estimate {
       remarks;  // what the user should know ("no odometry from 12.3 s to 22.4 s")
 };
 
+// How many possibilities a particle filter still holds, at one of its updates.
+struct Diversity {
+  double time = 0.0;              // [s]
+  int distinct_ancestors = 0;     // of today's particles among those of that update
+  double effective_number = 0.0;  // after weighting, before resampling
+  bool resampled = false;
+};
+
+// What a method with several hypotheses holds besides its estimate; empty for all others.
+struct Hypotheses {
+  // map_from_robot of all paths that are held possible. What several have in common stands there
+  // once: each branch begins where it parted from one before it.
+  std::vector<Trajectory> branches;
+  std::vector<Diversity> diversity;  // at each update so far
+};
+
 // The one interface behind which methods are exchanged: measurements in, belief out, at any time.
 class Estimator {
  public:
@@ -28,6 +44,7 @@ class Estimator {
   virtual void add(const Measurement& measurement) = 0;  // in order of time
   virtual Pose2 pose() const = 0;  // map_from_robot now; cheap. Identity before the first scan
   virtual Estimate estimate() const = 0;  // the whole path, as it is believed now
+  virtual Hypotheses hypotheses() const { return {}; }
 };
 
 // A method by name. `options` applies the settings and lists what holds then, for `describe` and

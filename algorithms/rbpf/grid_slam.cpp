@@ -45,7 +45,10 @@ Pose2 drawn_from(const LocalPosterior& posterior, Rng& rng) {
 }  // namespace
 
 GridSlam::GridSlam(const GridSlamOptions& options, Rng rng)
-    : options_(options), rng_(rng), matcher_(options.matcher) {
+    : options_(options),
+      rng_(rng),
+      matcher_(options.matcher),
+      loop_detector_(options.loop_closing) {
   CHECK(options.particles > 0);
 }
 
@@ -91,7 +94,7 @@ void GridSlam::add_scan(const LaserScan& scan) {
   const Pose2 motion = first ? Pose2{} : motion_between(updates_.back().track_from_robot, track);
   const bool due = first || is_due(motion);
   if (due) {
-    updates_.push_back({.time = scan.time, .track_from_robot = track});
+    updates_.push_back({.time = scan.time, .track_from_robot = track, .condensed = withheld});
     // The motion is free of this scan where it was withheld from the matcher; else odometry alone
     // is.
     update(scan, motion, withheld ? std::optional<Pose2>{} : odometry_since(odometry_at_update_));
@@ -124,7 +127,11 @@ void GridSlam::update(const LaserScan& scan, const Pose2& motion,
     Rng own = rng_.stream("particle", i, number);
     move_and_weight(particles_[i], prepared_scan, motion, odometry_motion, own);
   });
-  resample_where_needed(updates_.back());
+  if (options_.best_only_after_loop && closes_loop(prepared_scan)) {
+    keep_best_only(updates_.back());
+  } else {
+    resample_where_needed(updates_.back());
+  }
   tbb::parallel_for(std::size_t{0}, particles_.size(), [&](std::size_t i) {
     Particle& particle = particles_[i];
     particle.map.add(transformed(prepared_scan.surface, particle.pose));
@@ -186,6 +193,23 @@ void GridSlam::resample_where_needed(Update& update) {
   particles_ = std::move(next);
 }
 
+// By the best particle: where it was at all updates, this one included, and how well its map fits.
+bool GridSlam::closes_loop(const ScanForWeighting& scan) {
+  const Particle& particle = best();
+  std::vector<Pose2> path = path_of(particle);
+  path.push_back(particle.pose);
+  return loop_detector_.closes(
+      path, explained_share(scan, particle.map, particle.pose, options_.likelihood));
+}
+
+void GridSlam::keep_best_only(Update& update) {
+  Particle survivor = best();
+  survivor.log_weight = 0.0;
+  update.effective_number = 1.0;
+  update.resampled = true;
+  for (Particle& particle : particles_) particle = survivor;
+}
+
 const GridSlam::Particle& GridSlam::best() const {
   CHECK(!particles_.empty());
   return *std::max_element(
@@ -213,12 +237,47 @@ Pose2 GridSlam::pose_of(const SeenScan& scan, const std::vector<Pose2>& update_p
   return interpolate(from_before, carried_from(before + 1), share);
 }
 
+// Its poses at the updates that are in its history.
+std::vector<Pose2> GridSlam::path_of(const Particle& particle) const {
+  std::vector<Pose2> path(particle.history->update + 1);
+  for (const HistoryNode* node = particle.history.get(); node != nullptr;
+       node = node->parent.get()) {
+    path[node->update] = node->pose;
+  }
+  return path;
+}
+
+std::vector<GridSlam::Motion> GridSlam::motions() const {
+  std::vector<Motion> result;
+  for (std::size_t i = 1; i < updates_.size(); ++i) {
+    const Update& from = updates_[i - 1];
+    const Update& to = updates_[i];
+    result.push_back({from.time, to.time,
+                      motion_between(from.track_from_robot, to.track_from_robot), to.condensed});
+  }
+  return result;
+}
+
+Hypotheses GridSlam::hypotheses() const {
+  Hypotheses result;
+  result.diversity = diversity();
+  std::unordered_set<const HistoryNode*> drawn;
+  for (const Particle& particle : particles_) {
+    Trajectory branch;
+    for (const HistoryNode* node = particle.history.get(); node != nullptr;
+         node = node->parent.get()) {
+      branch.push_back({updates_[node->update].time, node->pose});
+      if (!drawn.insert(node).second) break;
+    }
+    std::reverse(branch.begin(), branch.end());
+    if (branch.size() > 1) result.branches.push_back(std::move(branch));
+  }
+  return result;
+}
+
 Estimate GridSlam::estimate() const {
   if (particles_.empty()) return {};
-  std::vector<Pose2> update_poses(updates_.size());
-  for (const HistoryNode* node = best().history.get(); node != nullptr; node = node->parent.get()) {
-    update_poses[node->update] = node->pose;
-  }
+  const std::vector<Pose2> update_poses = path_of(best());
   Estimate result;
   result.trajectory.reserve(scans_.size());
   for (const SeenScan& scan : scans_) {
@@ -235,7 +294,7 @@ Estimate GridSlam::estimate() const {
   return result;
 }
 
-std::vector<GridSlam::Diversity> GridSlam::diversity() const {
+std::vector<Diversity> GridSlam::diversity() const {
   std::vector<Diversity> result(updates_.size());
   std::unordered_set<const HistoryNode*> generation;
   for (const Particle& particle : particles_) generation.insert(particle.history.get());

@@ -8,6 +8,7 @@
 #include "algorithms/estimator.h"
 #include "algorithms/odometry_track.h"
 #include "algorithms/rbpf/history.h"
+#include "algorithms/rbpf/loop_closing.h"
 #include "algorithms/rbpf/motion_model.h"
 #include "algorithms/rbpf/resampling.h"
 #include "algorithms/rbpf/surface_likelihood.h"
@@ -44,6 +45,8 @@ struct GridSlamOptions {
                                      .floor_turn = 0.004,
                                      .floor_way = 0.005};
   IncrementalMatcherOptions matcher;
+  bool best_only_after_loop = false;
+  LoopClosingOptions loop_closing;
 };
 
 template <class Visitor>
@@ -63,6 +66,9 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
   visit("odometry_errors", o.odometry_errors, "errors of raw odometry");
   visit("matching_errors", o.matching_errors, "errors of the condensed motion");
   visit("matcher", o.matcher, "incremental scan matching between updates");
+  visit("best_only_after_loop", o.best_only_after_loop,
+        "go on with the best particle alone where a loop is closed");
+  visit("loop_closing", o.loop_closing, "when a loop is closed, for best_only_after_loop");
 }
 
 // Rao-Blackwellised particle filter, chapter 5: each particle is a path and the map built along it.
@@ -75,6 +81,10 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
 // far apart that each one weights, there is nothing to condense: then Proposal::improved lets the
 // matcher see them, but takes from it only where the search for each particle's optimum starts, and
 // the prior of the motion is that of odometry.
+//
+// With best_only_after_loop it is the maximum-likelihood continuation of section 5.4.2, the earlier
+// way to close loops: a posterior over poses in a single map. The paths that were possible up to a
+// loop are given up for the best of them as soon as the loop is closed.
 class GridSlam : public Estimator {
  public:
   GridSlam(const GridSlamOptions& options, Rng rng);
@@ -83,13 +93,15 @@ class GridSlam : public Estimator {
   Pose2 pose() const override;
   Estimate estimate() const override;
 
-  struct Diversity {
-    double time = 0.0;              // [s] of the update
-    int distinct_ancestors = 0;     // of today's particles among those of that update
-    double effective_number = 0.0;  // after weighting, before resampling
-    bool resampled = false;
+  Hypotheses hypotheses() const override;
+
+  // What the particles were told of their motion from one update to the next.
+  struct Motion {
+    double from_time = 0.0, to_time = 0.0;  // [s] of the updates
+    Pose2 motion;                           // by odometry and scan matching
+    bool condensed = false;  // of the scans in between alone: the update's own is not in it
   };
-  std::vector<Diversity> diversity() const;
+  std::vector<Motion> motions() const;
 
  private:
   struct Particle {
@@ -106,6 +118,7 @@ class GridSlam : public Estimator {
   struct Update {
     double time = 0.0;
     Pose2 track_from_robot;
+    bool condensed = false;
     double effective_number = 0.0;
     bool resampled = false;
   };
@@ -116,7 +129,11 @@ class GridSlam : public Estimator {
   void move_and_weight(Particle& particle, const ScanForWeighting& scan, const Pose2& motion,
                        const std::optional<Pose2>& odometry_motion, Rng& rng) const;
   void resample_where_needed(Update& update);
+  bool closes_loop(const ScanForWeighting& scan);
+  void keep_best_only(Update& update);
   const Particle& best() const;
+  std::vector<Pose2> path_of(const Particle& particle) const;
+  std::vector<Diversity> diversity() const;
   Pose2 pose_of(const SeenScan& scan, const std::vector<Pose2>& update_poses) const;
 
   GridSlamOptions options_;
@@ -130,6 +147,7 @@ class GridSlam : public Estimator {
   std::optional<Pose2> odometry_at_matched_scan_;
   Pose2 track_from_robot_;
   int condensed_scans_ = 0;  // since the last update
+  LoopDetector loop_detector_;
 };
 
 }  // namespace mapbed

@@ -70,12 +70,97 @@ TEST(GridSlam, ParticlesShareTheirPast) {
   options.resampling = Resampling::always;
   GridSlam slam(options, Rng(1));
   for (const Measurement& measurement : log.measurements) slam.add(measurement);
-  const std::vector<GridSlam::Diversity> diversity = slam.diversity();
+  const std::vector<Diversity> diversity = slam.hypotheses().diversity;
   EXPECT_EQ(diversity.front().distinct_ancestors, 1);  // all start at one pose
   EXPECT_EQ(diversity.back().distinct_ancestors, 20);
   for (std::size_t i = 1; i < diversity.size(); ++i) {
     EXPECT_GE(diversity[i].distinct_ancestors, diversity[i - 1].distinct_ancestors);
   }
+}
+
+// The updates at which one particle alone survived.
+std::vector<std::size_t> collapses(const std::vector<Diversity>& diversity) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 1; i < diversity.size(); ++i) {
+    if (diversity[i].effective_number == 1.0) result.push_back(i);
+  }
+  return result;
+}
+
+TEST(GridSlam, GoesOnWithTheBestParticleAloneOnceALoopIsClosed) {
+  const RecordedLog log = two_rounds();
+  GridSlamOptions options;
+  options.particles = 20;
+  options.resampling = Resampling::never;
+  GridSlam all(options, Rng(1));
+  options.best_only_after_loop = true;
+  GridSlam best_only(options, Rng(1));
+  for (const Measurement& measurement : log.measurements) {
+    all.add(measurement);
+    best_only.add(measurement);
+  }
+  EXPECT_TRUE(collapses(all.hypotheses().diversity).empty());
+  const std::vector<Diversity> diversity = best_only.hypotheses().diversity;
+  const std::vector<std::size_t> at = collapses(diversity);
+  ASSERT_EQ(at.size(), 1U);  // the second round leads through known areas only
+  EXPECT_EQ(diversity[at.front() - 1].distinct_ancestors, 1);
+  EXPECT_EQ(diversity[at.front()].distinct_ancestors, 20);
+  // A round is 40 m long; the robot is back 2 m before its end.
+  const Pose2 there = *pose_at(log.true_poses, diversity[at.front()].time);
+  const Pose2 start = log.true_poses.front().pose;
+  EXPECT_NEAR(distance(there, start), options.loop_closing.distance, options.update_distance);
+}
+
+TEST(GridSlam, HypothesesHoldEachPoseOfTheParticlesPathsOnce) {
+  const RecordedLog log = two_rounds();
+  GridSlamOptions options;
+  options.particles = 10;
+  options.resampling = Resampling::always;
+  GridSlam slam(options, Rng(1));
+  for (const Measurement& measurement : log.measurements) slam.add(measurement);
+  const Hypotheses hypotheses = slam.hypotheses();
+  ASSERT_FALSE(hypotheses.branches.empty());
+  EXPECT_EQ(hypotheses.branches.front().size(), hypotheses.diversity.size());  // a whole path
+  std::size_t poses = hypotheses.branches.front().size();
+  for (std::size_t i = 1; i < hypotheses.branches.size(); ++i) {
+    poses += hypotheses.branches[i].size() - 1;  // without the one where it parted
+  }
+  std::size_t ancestors = 0;
+  for (const Diversity& update : hypotheses.diversity) {
+    ancestors += static_cast<std::size_t>(update.distinct_ancestors);
+  }
+  EXPECT_EQ(poses, ancestors);
+}
+
+TEST(GridSlam, CondensedMotionsAreBetterThanOdometry) {
+  const RecordedLog log = two_rounds();
+  GridSlamOptions options;
+  options.particles = 1;
+  options.proposal = Proposal::scan_matching;
+  GridSlam slam(options, Rng(1));
+  Trajectory odometry;
+  for (const Measurement& measurement : log.measurements) {
+    slam.add(measurement);
+    if (const auto* reading = std::get_if<Odometry>(&measurement)) {
+      odometry.push_back({reading->time, reading->odometry_from_robot});
+    }
+  }
+  const std::vector<GridSlam::Motion> motions = slam.motions();
+  ASSERT_GT(motions.size(), 50U);
+  const auto between = [](const Trajectory& path, const GridSlam::Motion& step) {
+    return motion_between(*pose_at(path, step.from_time), *pose_at(path, step.to_time));
+  };
+  double turned_by_odometry = 0.0, turned_by_matching = 0.0;  // [rad] off
+  std::size_t condensed = 0;
+  for (const GridSlam::Motion& step : motions) {
+    if (!step.condensed) continue;
+    ++condensed;
+    const double turn = between(log.true_poses, step).theta;
+    turned_by_odometry += std::abs(angle_difference(turn, between(odometry, step).theta));
+    turned_by_matching += std::abs(angle_difference(turn, step.motion.theta));
+  }
+  EXPECT_GT(condensed, motions.size() / 2);
+  EXPECT_LT(turned_by_matching, turned_by_odometry);
 }
 
 TEST(GridSlam, StaysFiniteWhenTheLaserSeesNothingAndOdometryJumps) {

@@ -39,6 +39,14 @@ double log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
   return options.beam_weight * sum;
 }
 
+double explained_share(const ScanForWeighting& scan, const SurfaceMap& map,
+                       const Pose2& map_from_robot, const SurfaceLikelihoodOptions& options) {
+  if (scan.hits.empty()) return 0.0;
+  const double worst =
+      options.beam_weight * static_cast<double>(scan.hits.size()) * std::log1p(-options.hit_share);
+  return 1.0 - log_likelihood({.hits = scan.hits}, map, map_from_robot, options) / worst;
+}
+
 LocalPosterior local_posterior(const Pose2& start, const ScanForWeighting& scan,
                                const SurfaceMap& map, const PosePrior& prior,
                                const SurfaceLikelihoodOptions& options) {

@@ -47,6 +47,10 @@ struct ScanForWeighting {
 double log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
                       const Pose2& map_from_robot, const SurfaceLikelihoodOptions& options);
 
+// 1: all end points lie on the map, 0: none does; by their mean log-likelihood. 0 without any.
+double explained_share(const ScanForWeighting& scan, const SurfaceMap& map,
+                       const Pose2& map_from_robot, const SurfaceLikelihoodOptions& options);
+
 // The optimum of ln p(z | x, m) + ln p(x) near a start, by Gauss-Newton, and the Gaussian about it.
 struct LocalPosterior {
   Pose2 mode;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/estimator.h"
+#include "bench/experiments/particle_figures.h"
 #include "bench/experiments/slam_judge.h"
 #include "bench/map_picture.h"
 #include "bench/process_cost.h"
@@ -15,12 +16,18 @@ namespace {
 
 struct SlamOptions {
   std::string estimator = "scan_matching";
+  double longest = 0.0;           // [s]
+  std::vector<double> snapshots;  // [s]
   JudgeOptions judge;
 };
 
 template <class Visitor>
 void visit_fields(SlamOptions& o, Visitor&& visit) {
   visit("estimator", o.estimator, "who finds the trajectory; 'mapbed list methods'");
+  visit("longest", o.longest, Unit::second, kNotNegative,
+        "of the log, what comes later is left out; 0: all of it counts");
+  visit("snapshots", o.snapshots, Unit::second, kNotNegative,
+        "since the log's start: figures of what the particles hold possible, of the first seed");
   visit_fields(o.judge, visit);
 }
 
@@ -87,13 +94,44 @@ ResultFile replay_file(const RunInput& input, const std::string& estimator,
   return {"replays/run.json", replay_json(replay)};
 }
 
-RunOutcome run(const Settings& settings, const RunInput& input) {
+// Without what comes later than `longest` [s] after the start; 0: all of it.
+RunInput shortened(RunInput input, double longest) {
+  if (longest <= 0.0 || input.log.empty()) return input;
+  const double end = time_of(input.log.front()) + longest;
+  std::erase_if(input.log, [end](const Measurement& m) { return time_of(m) > end; });
+  return input;
+}
+
+// Adds the log, and where the run is shown takes pictures of the particles on the way.
+std::vector<ResultFile> add_log(const SlamOptions& options, const RunInput& input,
+                                Estimator& estimator) {
+  std::vector<ResultFile> figures;
+  const auto keep = [&figures](std::vector<ResultFile> files) {
+    std::move(files.begin(), files.end(), std::back_inserter(figures));
+  };
+  std::vector<double> left = input.shown ? options.snapshots : std::vector<double>{};
+  std::sort(left.begin(), left.end(), std::greater<>());
+  const double start = input.log.empty() ? 0.0 : time_of(input.log.front());
+  const Pose2 world_from_map = input.truth.empty() ? Pose2{} : input.truth.front().pose;
+  for (const Measurement& measurement : input.log) {
+    while (!left.empty() && time_of(measurement) - start > left.back()) {
+      keep(path_figure(estimator.hypotheses(), input.truth, world_from_map, left.back()));
+      left.pop_back();
+    }
+    estimator.add(measurement);
+  }
+  if (input.shown) keep(diversity_figure(estimator.hypotheses()));
+  return figures;
+}
+
+RunOutcome run(const Settings& settings, const RunInput& whole_input) {
   const Setup setup = setup_of(settings);
+  const RunInput input = shortened(whole_input, setup.options.longest);
   const auto estimator =
       method_by_name(setup.options.estimator).make(setup.of_method, input.rng.stream("estimator"));
   RunOutcome outcome;
   const double start = processor_time();
-  for (const Measurement& measurement : input.log) estimator->add(measurement);
+  outcome.files = add_log(setup.options, input, *estimator);
   const Estimate estimate = estimator->estimate();
   outcome.method_seconds = processor_time() - start;
 

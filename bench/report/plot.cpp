@@ -95,14 +95,19 @@ std::string hatching_name(const std::string& plot_name, std::size_t index) {
   return fmt::format("bar-{}-{}", plot_name, index);
 }
 
+SeriesStyle style_of(const Plot& plot, std::size_t series) {
+  const int like = plot.series[series].like;
+  return series_style(like < 0 ? static_cast<int>(series) : like);
+}
+
 std::vector<LegendEntry> legend_of(const Plot& plot, const std::string& plot_name) {
   std::vector<LegendEntry> legend;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& series = plot.series[i];
     if (series.name.empty()) continue;
     legend.push_back(
-        {series.name, legend_symbol(series_style(static_cast<int>(i)), series.mark,
-                                    has_interval(series), hatching_name(plot_name, i))});
+        {series.name, legend_symbol(style_of(plot, i), series.mark, has_interval(series),
+                                    hatching_name(plot_name, i))});
   }
   for (std::size_t i = 0; i < plot.references.size(); ++i) {
     legend.push_back(
@@ -125,7 +130,7 @@ std::string data_svg(const Plot& plot, const PlotArea& area, const std::string& 
     const Series& series = plot.series[i];
     const bool aside = stands_aside(plot, series);
     svg += "<g class=\"series\">\n";
-    svg += drawing_of(series, area, series_style(static_cast<int>(i)), aside ? place : SidePlace{},
+    svg += drawing_of(series, area, style_of(plot, i), aside ? place : SidePlace{},
                       hatching_name(plot_name, i));
     svg += "</g>\n";
     place.slot += aside ? 1 : 0;
@@ -165,14 +170,17 @@ std::string svg_of(const Plot& plot) {
   check(plot);
   const std::string subtitle = plot.subtitle + said_of_hidden(plot);
   const std::string name = fmt::format("{:x}", hash_of(plot.title + "\n" + csv_of(plot)));
-  const PlotFrame frame = frame_of({plot.title, subtitle, legend_of(plot, name)}, plot.x, plot.y,
-                                   x_scale_of(plot), y_scale_of(plot));
+  const FrameText text{.title = plot.title,
+                       .subtitle = subtitle,
+                       .legend = legend_of(plot, name),
+                       .equal_scales = plot.equal_scales};
+  const PlotFrame frame = frame_of(text, plot.x, plot.y, x_scale_of(plot), y_scale_of(plot));
   std::string patterns;
   bool any = false;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& series = plot.series[i];
     if (series.mark == Mark::bars) {
-      patterns += hatching_of(series_style(static_cast<int>(i)), hatching_name(name, i));
+      patterns += hatching_of(style_of(plot, i), hatching_name(name, i));
     }
     for (std::size_t k = 0; k < series.x.size(); ++k) {
       any = any || (std::isfinite(frame.area.px(series.x[k])) &&

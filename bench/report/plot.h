@@ -11,7 +11,13 @@
 
 namespace mapbed {
 
-enum class Mark { line, points, bars };
+enum class Mark {
+  line,    // with a marker at each value
+  points,  // markers alone
+  bars,
+  path,  // a thin line without markers: where something went, an outline
+  dots,  // small ones: a cloud of many
+};
 
 // Values over places. NaN is a gap: the line is broken there. A list of intervals may be empty.
 struct Series {
@@ -21,6 +27,7 @@ struct Series {
   std::vector<double> low = {};   // the interval about y, as many as x or none
   std::vector<double> high = {};  // of a line a band, else an error bar; NaN: no interval here
   Mark mark = Mark::line;
+  int like = -1;  // number of the series whose colour this one has; -1: one of its own
 };
 
 // A value from elsewhere that the series are to be seen against.
@@ -36,6 +43,7 @@ struct Plot {
   Axis y;
   std::vector<Series> series;
   std::vector<Reference> references = {};
+  bool equal_scales = false;  // as on a map: a metre is as long along y as along x
 };
 
 std::string svg_of(const Plot& plot);

@@ -10,10 +10,11 @@
 namespace mapbed {
 namespace {
 
-constexpr double kAreaHeight = 260.0;  // [px] of the data
-constexpr double kEdge = 10.0;         // [px] around everything
-constexpr double kSmall = 12.0;        // [px] size of ticks and legend
-constexpr double kLine = 1.3;          // distance of lines, in font sizes
+constexpr double kAreaHeight = 260.0;                        // [px] of the data
+constexpr double kLeastHeight = 140.0, kMostHeight = 440.0;  // [px] the same with equal scales
+constexpr double kEdge = 10.0;                               // [px] around everything
+constexpr double kSmall = 12.0;                              // [px] size of ticks and legend
+constexpr double kLine = 1.3;                                // distance of lines, in font sizes
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& color) {
   return fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"{}\"/>\n",
@@ -111,6 +112,22 @@ std::string y_axis(const PlotArea& area, const Axis& axis, const std::vector<Tic
   return result + svg_text(x, y, title_of(axis), {width > 0.0 ? size : kTextSize, "middle", turn});
 }
 
+void widen(Scale& scale, double span) {
+  const double middle = (scale.low + scale.high) / 2;
+  scale.low = middle - span / 2;
+  scale.high = middle + span / 2;
+}
+
+// The height follows from the width; where that would be too low or too high, the axis that has
+// room to spare goes further.
+void make_scales_equal(PlotArea& area) {
+  const double width = area.x.high - area.x.low, height = area.y.high - area.y.low;
+  const double unit = std::max(width / area.width, height / kMostHeight);  // of a pixel
+  area.height = std::max(kLeastHeight, height / unit);
+  widen(area.x, unit * area.width);
+  widen(area.y, unit * area.height);
+}
+
 }  // namespace
 
 std::string svg_text(double x, double y, const std::string& text, const SvgTextStyle& style) {
@@ -132,11 +149,15 @@ PlotFrame frame_of(const FrameText& text, const Axis& x, const Axis& y, const Sc
   area.y = y_scale;
   area.top = below + 10.0;
   area.height = kAreaHeight;
-  const std::vector<Tick> y_ticks = ticks_of(y, y_scale, 6);
+  std::vector<Tick> y_ticks = ticks_of(y, y_scale, 6);
   area.left = kEdge + 1.5 * kTextSize + 1.06 * widest(y_ticks) + 8.0;
   area.width = kPlotWidth - area.left - kEdge - 4.0 - text.free_right;
+  if (text.equal_scales) {
+    make_scales_equal(area);
+    y_ticks = ticks_of(y, area.y, 6);
+  }
   const int x_count = x_scale.logarithmic ? 6 : 9;
-  frame.axes = x_axis(area, x, ticks_of(x, x_scale, x_count), frame.grid, frame.height);
+  frame.axes = x_axis(area, x, ticks_of(x, area.x, x_count), frame.grid, frame.height);
   frame.axes += y_axis(area, y, y_ticks, frame.grid);
   frame.axes += fmt::format(
       "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#222\"/>\n",

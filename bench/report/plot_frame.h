@@ -35,7 +35,8 @@ struct FrameText {
   std::string title;
   std::string subtitle;
   std::vector<LegendEntry> legend;
-  double free_right = 0.0;  // [px] kept free beside the area
+  double free_right = 0.0;    // [px] kept free beside the area
+  bool equal_scales = false;  // a unit is as long along y as along x; the area's height follows
 };
 
 struct PlotFrame {

@@ -120,5 +120,39 @@ TEST(SeriesStyle, NeighboursDifferWithoutColourToo) {
   }
 }
 
+// Of the one rectangle without filling: the area of the data.
+double attribute_of_area(const std::string& svg, const std::string& name) {
+  const std::size_t area = svg.rfind("<rect", svg.find("fill=\"none\" stroke=\"#222\""));
+  return std::stod(svg.substr(svg.find(" " + name + "=\"", area) + name.size() + 3));
+}
+
+TEST(Plot, WithEqualScalesASquareIsASquare) {
+  const Series square{.x = {0, 4, 4, 0, 0}, .y = {0, 0, 4, 4, 0}, .mark = Mark::path};
+  const Plot plot{.x = {.low = 0.0, .high = 8.0},
+                  .y = {.low = 0.0, .high = 4.0},
+                  .series = {square},
+                  .equal_scales = true};
+  const std::string svg = svg_of(plot);
+  EXPECT_TRUE(is_well_formed(svg)) << svg;
+  EXPECT_NEAR(attribute_of_area(svg, "width"), 2 * attribute_of_area(svg, "height"), 0.2);  // [px]
+}
+
+TEST(Plot, WithEqualScalesAHighPictureEndsInTime) {
+  const Series way{.x = {0, 1}, .y = {0, 100}, .mark = Mark::path};
+  const std::string svg = svg_of(Plot{.series = {way}, .equal_scales = true});
+  EXPECT_LE(attribute_of_area(svg, "height"), 440.0);
+}
+
+TEST(Plot, ACloudIsOnePath) {
+  Series cloud{.name = "cloud", .mark = Mark::dots};
+  for (int i = 0; i < 50; ++i) {
+    cloud.x.push_back(i % 7);
+    cloud.y.push_back(i % 5);
+  }
+  const std::string svg = svg_of(Plot{.series = {cloud}});
+  EXPECT_TRUE(is_well_formed(svg)) << svg;
+  EXPECT_EQ(count(svg, "h0"), 50u + 3u) << "and three dots in the legend";
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -84,6 +84,25 @@ std::string line_svg(const PlotArea& area, const Series& series, const SeriesSty
   return svg;
 }
 
+std::string thin_path(const PlotArea& area, const Series& series, const SeriesStyle& style) {
+  return fmt::format(
+      "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\" "
+      "stroke-linejoin=\"round\"/>\n",
+      path_data(points_of(area, series.x, series.y)), style.color);
+}
+
+// All dots are one path of strokes without length, which round ends make visible.
+std::string dots_svg(const PlotArea& area, const Series& series, const SeriesStyle& style) {
+  std::string data;
+  for (const Point& p : points_of(area, series.x, series.y)) {
+    if (p.drawn()) data += fmt::format("M{} {}h0", coordinate(p.x), coordinate(p.y));
+  }
+  return fmt::format(
+      "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2.2\" stroke-linecap=\"round\" "
+      "stroke-opacity=\"0.55\"/>\n",
+      data, style.color);
+}
+
 std::string points_svg(const PlotArea& area, const Series& series, const SeriesStyle& style,
                        double shift) {
   std::string svg;
@@ -139,6 +158,10 @@ std::string drawing_of(const Series& series, const PlotArea& area, const SeriesS
       return points_svg(area, series, style, place.shift());
     case Mark::bars:
       return bars_svg(area, series, style, place, hatching);
+    case Mark::path:
+      return thin_path(area, series, style);
+    case Mark::dots:
+      return dots_svg(area, series, style);
   }
   return "";
 }

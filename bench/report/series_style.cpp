@@ -71,6 +71,15 @@ std::string legend_symbol(const SeriesStyle& style, Mark mark, bool band,
     return fmt::format("<rect x=\"4\" width=\"20\" height=\"12\" fill=\"url(#{})\" stroke=\"{}\"/>",
                        hatching, style.color);
   }
+  if (mark == Mark::path) {
+    return fmt::format("<path d=\"M0 6H28\" stroke=\"{}\" stroke-width=\"1.2\"/>", style.color);
+  }
+  if (mark == Mark::dots) {
+    return fmt::format(
+        "<path d=\"M8 4h0M14 8h0M20 5h0\" stroke=\"{}\" stroke-width=\"2.6\" "
+        "stroke-linecap=\"round\"/>",
+        style.color);
+  }
   std::string symbol;
   if (mark == Mark::line) {
     if (band) {

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithms/rbpf/motion_model.h"
+
+namespace mapbed {
+
+// Section 5.3: the parameters of a motion model learned from motions whose true ones are known, or
+// taken from a reference.
+struct MotionSample {
+  Pose2 measured;   // by odometry, or by scan matching
+  Pose2 reference;  // how the robot moved meanwhile
+};
+
+// Mean ln p(reference | measured) under the model's Gaussian (gaussian_after), normalisation
+// included. Not for an empty list.
+double mean_log_likelihood(const std::vector<MotionSample>& samples,
+                           const MotionModelOptions& model);
+
+// The parameters of greatest likelihood: a pattern search from `start` over the logarithms of the
+// spreads and over the biases, finer and finer. Finds a local maximum. A spread that the samples
+// give no reason for ends at its least value (0.1 mm, 0.1 mrad).
+MotionModelOptions learned_motion_model(const std::vector<MotionSample>& samples,
+                                        const MotionModelOptions& start = {});
+
+// Whether errors are as large as a model says. A calibrated one has 1 and 0.95.
+struct Calibration {
+  double normalized_error = 0.0;  // mean of e^T P e / 3: e error, P information of the motion
+  double inside = 0.0;            // share of the samples within the model's 95 % ellipsoid
+};
+Calibration calibration_of(const std::vector<MotionSample>& samples,
+                           const MotionModelOptions& model);
+
+// A parameter file, by its name in algorithms/rbpf/motion_models or by its path. Throws InputError.
+MotionModelOptions load_motion_model(const std::string& name_or_path);
+
+}  // namespace mapbed

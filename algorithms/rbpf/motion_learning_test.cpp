@@ -1,0 +1,99 @@
+#include "algorithms/rbpf/motion_learning.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/config/settings.h"
+#include "core/data_path.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+const MotionModelOptions kTruth{.turn_noise = 0.10,
+                                .turn_per_meter = 0.05,
+                                .way_per_meter = 0.08,
+                                .way_per_turn = 0.02,
+                                .floor_turn = 0.004,
+                                .floor_way = 0.006,
+                                .turn_bias = 0.04,
+                                .way_bias = -0.03};
+
+// Straight ways, turns on the spot and bends, and what a robot of this model does then.
+std::vector<MotionSample> samples_of(const MotionModelOptions& model, int count) {
+  std::vector<MotionSample> samples;
+  Rng rng(7);
+  for (int i = 0; i < count; ++i) {
+    const double way = i % 3 == 0 ? 0.0 : rng.uniform(0.1, 0.6);
+    const double turn = i % 3 == 1 ? 0.0 : rng.uniform(-0.8, 0.8);
+    const Pose2 measured = Pose2{way, 0.0, 0.0} * Pose2{0.0, 0.0, turn};
+    samples.push_back({measured, sampled_motion(measured, model, rng)});
+  }
+  return samples;
+}
+
+TEST(MotionLearning, FindsTheModelThatTheMotionsWereDrawnFrom) {
+  const MotionModelOptions learned = learned_motion_model(samples_of(kTruth, 6000));
+  // A spread from n errors has a relative standard error of 1 / sqrt(2 n): 1.6 % of the 2000
+  // motions of one kind; four of these, and as much again for the error being shared with floors.
+  EXPECT_NEAR(learned.turn_noise, kTruth.turn_noise, 0.15 * kTruth.turn_noise);
+  EXPECT_NEAR(learned.turn_per_meter, kTruth.turn_per_meter, 0.15 * kTruth.turn_per_meter);
+  EXPECT_NEAR(learned.way_per_meter, kTruth.way_per_meter, 0.15 * kTruth.way_per_meter);
+  EXPECT_NEAR(learned.turn_bias, kTruth.turn_bias, 0.01);
+  EXPECT_NEAR(learned.way_bias, kTruth.way_bias, 0.01);
+}
+
+TEST(MotionLearning, NoOtherModelThatIsTriedIsLikelier) {
+  const auto samples = samples_of(kTruth, 600);
+  const double best = mean_log_likelihood(samples, learned_motion_model(samples));
+  EXPECT_GE(best, mean_log_likelihood(samples, kTruth));
+  EXPECT_GE(best, mean_log_likelihood(samples, MotionModelOptions{}));
+}
+
+TEST(MotionLearning, TheLikelihoodIsThatOfTheGaussian) {
+  // A straight way of 1 m with all spreads known: variances 0.04^2 along; turns alpha and beta of
+  // 0.1 each; the determinant of the information by hand.
+  MotionModelOptions model{.turn_noise = 0.0,
+                           .turn_per_meter = 0.0,
+                           .way_per_meter = 0.0,
+                           .way_per_turn = 0.0,
+                           .floor_turn = 0.1,
+                           .floor_way = 0.04};
+  const double a = 0.01, floor = 0.0016;
+  // Along: way and floor; across and turn: [a + floor, a; a, 2 a + 1e-8].
+  const double determinant = 2 * floor * ((a + floor) * (2 * a + 1e-8) - a * a);
+  const double expected = -0.5 * std::log(determinant) - 1.5 * std::log(2 * std::acos(-1.0));
+  const std::vector<MotionSample> exact{{Pose2{1, 0, 0}, Pose2{1, 0, 0}}};
+  EXPECT_NEAR(mean_log_likelihood(exact, model), expected, 1e-9);
+}
+
+TEST(MotionLearning, TheTrueModelIsCalibrated) {
+  const int n = 4000;
+  const Calibration calibration = calibration_of(samples_of(kTruth, n), kTruth);
+  // e^T P e has mean 3 and variance 6; the share inside has that of a toss of 0.95. Four standard
+  // errors, and 5 % for the Gaussian being a linearisation of the turns.
+  EXPECT_NEAR(calibration.normalized_error, 1.0, 4 * std::sqrt(6.0) / 3 / std::sqrt(n) + 0.05);
+  EXPECT_NEAR(calibration.inside, 0.95, 4 * std::sqrt(0.95 * 0.05 / n) + 0.01);
+}
+
+TEST(MotionLearning, AModelThatIsTooSureIsFoundOut) {
+  MotionModelOptions half = kTruth;
+  for (double* spread : {&half.turn_noise, &half.turn_per_meter, &half.way_per_meter,
+                         &half.way_per_turn, &half.floor_turn, &half.floor_way}) {
+    *spread *= 0.5;
+  }
+  const Calibration calibration = calibration_of(samples_of(kTruth, 1000), half);
+  EXPECT_NEAR(calibration.normalized_error, 4.0, 0.6);  // half the spread, four times the square
+  EXPECT_LT(calibration.inside, 0.8);
+}
+
+TEST(MotionModelFile, AnUnknownNameIsAnError) {
+  EXPECT_THAT([] { load_motion_model("pioneer_odometri"); },
+              ::testing::ThrowsMessage<InputError>(
+                  ::testing::HasSubstr("unknown motion model 'pioneer_odometri'")));
+}
+
+}  // namespace
+}  // namespace mapbed

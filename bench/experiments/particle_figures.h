@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "algorithms/estimator.h"
+#include "bench/experiments/experiment.h"
+
+namespace mapbed {
+
+// The paths that a method holds possible at some time of the log, Figure 5.7; in the frame of
+// world_from_map. Empty for methods that hold one only.
+std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajectory& truth,
+                                    const Pose2& world_from_map, double seconds);
+
+// How many of the particles of each update have descendants in the end, and how well they were
+// spread. Empty for methods without particles.
+std::vector<ResultFile> diversity_figure(const Hypotheses& hypotheses);
+
+}  // namespace mapbed
