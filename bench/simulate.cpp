@@ -108,7 +108,10 @@ PreparedSimulation prepare_simulation(const SimulationPlan& plan) {
   prepared.world = build_world(plan.world, settings_of_world(plan.settings));
   prepared.robot = load_robot(plan.robot);
   Options options{.robot = prepared.robot, .simulation = {}, .driver = {}, .recorder = {}};
-  options.simulation.people.walkers = plan.people;
+  if (plan.people >= 0) {
+    options.simulation.people =
+        with_people(options.simulation.people, prepared.world.crowd, plan.people);
+  }
   apply(settings_of_others(plan.settings), options_of(options), "the simulation");
   if (prepared.world.paths.empty()) {
     throw InputError("world '" + plan.world + "' has no path to drive; add one to its paths");

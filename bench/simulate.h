@@ -15,7 +15,7 @@ struct SimulationPlan {
   std::string world;       // a builder's name or a world file
   std::string robot;       // a robot's name or file
   std::string path;        // a named path of the world; empty: its first
-  int people = -1;         // who walk; -1: as many as the world says
+  int people = -1;         // all together, see with_people(); -1: as many as the world says
   std::uint64_t seed = 1;  // of everything that is chance
   Settings settings;       // world.…, robot.…, simulation.…, driver.…, recorder.…
 };

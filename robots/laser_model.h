@@ -44,7 +44,8 @@ struct LaserModel {
   int interlace = 1;  // turns of the mirror for one sweep; beam k belongs to turn k % interlace
   double divergence = 0.0044;  // [rad] full opening angle of the beam; 0 with aperture 0: a line
   double aperture = 0.02;      // [m] the beam's width where it leaves the sensor
-  int sub_rays = 5;            // rays across the beam's width
+  int sub_rays = 15;           // rays across the beam's width; few leave gaps between the readings
+                               // of an edge
   LaserNoise noise;
 
   // [s] of beam k after the first of its sweep.

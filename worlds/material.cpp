@@ -12,8 +12,9 @@ double hit_probability(const Material& m, double incidence) {
   return diffuse + (m.specular_hit - diffuse) * std::exp(-0.5 * off_normal * off_normal);
 }
 
-// Permittivities: ITU-R P.2040 (concrete, brick, plasterboard, wood, glass); reflectivities at
-// 905 nm: SICK LMS technical description (table of common surfaces), rounded.
+// Permittivities: ITU-R P.2040 (concrete, brick, plasterboard, wood, glass), others assumed.
+// Reflectivities at 905 nm and all of glass but its permittivity: assumed, in the usual order from
+// bright plaster to dark plastic.
 const std::vector<Material>& standard_materials() {
   static const std::vector<Material> materials = {
       {.name = "plaster",

@@ -181,13 +181,28 @@ TEST_F(WorldFile, RefusesDamagedMeshesAndPlansByLine) {
   EXPECT_INPUT_ERROR(load("plan: {file: missing.yaml}\n"), "missing.yaml");
 }
 
-// The example of the README, as it stands there.
-TEST_F(WorldFile, OfTheReadmeIsRight) {
-  std::ifstream readme(MAPBED_SOURCE_DIR "/worlds/README.md");
+// The first YAML block after `title`, as it stands in the file.
+std::string example_of(const std::string& path, const std::string& title) {
+  std::ifstream readme(path);
   const std::string text{std::istreambuf_iterator<char>(readme), {}};
   const std::string fence = "```yaml\n";
-  const std::size_t begin = text.find(fence) + fence.size();
-  const std::string example = text.substr(begin, text.find("```", begin) - begin);
+  const std::size_t begin = text.find(fence, text.find(title)) + fence.size();
+  return text.substr(begin, text.find("```", begin) - begin);
+}
+
+TEST_F(WorldFile, OfTheReadmeIsRight) {
+  const std::string example = example_of(MAPBED_SOURCE_DIR "/README.md", "`my_world.yaml`");
+  const World world = load(example);
+  EXPECT_FALSE(world.paths.empty());
+  EXPECT_FALSE(world.crowd.routes.empty());
+  EXPECT_LT(std::count(example.begin(), example.end(), '\n'), 40);
+}
+
+TEST_F(WorldFile, OfTheWorkshopIsThatOfTheWorldsReadme) {
+  const std::string example =
+      example_of(MAPBED_SOURCE_DIR "/worlds/README.md", "A world of your own");
+  std::ifstream workshop(MAPBED_SOURCE_DIR "/worlds/workshop.yaml");
+  EXPECT_EQ(example, (std::string{std::istreambuf_iterator<char>(workshop), {}}));
   const World world = load(example);
   EXPECT_EQ(world.doors.size(), 1u);
   EXPECT_LT(std::count(example.begin(), example.end(), '\n'), 40);

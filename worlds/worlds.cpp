@@ -1,6 +1,7 @@
 #include "worlds/worlds.h"
 
 #include "core/config/suggestion.h"
+#include "core/data_path.h"
 #include "core/input_error.h"
 #include "worlds/corridor/corridor.h"
 #include "worlds/loop_corridor/loop_corridor.h"
@@ -25,7 +26,9 @@ WorldKind kind(const std::string& name, const std::string& about, World (*build)
             return to_yaml(options_of(options));
           },
           [options_with, build, name](const Settings& settings) {
-            return build(options_with(settings));
+            World world = build(options_with(settings));
+            world.name = name;  // one builder can make several kinds
+            return world;
           }};
 }
 
@@ -47,12 +50,20 @@ const std::vector<WorldKind>& world_kinds() {
   return kinds;
 }
 
+std::vector<std::string> world_file_names() {
+  return data_names("worlds");
+}
+
 World build_world(const std::string& name, const Settings& settings) {
   if (name.ends_with(".yaml")) return load_world(name, settings);
   std::vector<std::string> names;
   for (const WorldKind& world : world_kinds()) {
     if (world.name == name) return world.build(settings);
     names.push_back(world.name);
+  }
+  for (const std::string& file : world_file_names()) {
+    if (file == name) return load_world(find_data_file("world", "worlds", name), settings);
+    names.push_back(file);
   }
   throw InputError("unknown world '" + name + "'; " + suggestion(name, names));
 }

@@ -20,8 +20,12 @@ struct WorldKind {
 
 const std::vector<WorldKind>& world_kinds();
 
-// By the name of a builder, or from a file where the name ends in ".yaml" (worlds/world_file.h).
-// Throws InputError for an unknown name (with the nearest one) or a wrong setting.
+// Names of the world files in worlds/: a file put there is a world by its name.
+std::vector<std::string> world_file_names();
+
+// By the name of a builder or of a file in worlds/, or from a file where the name ends in ".yaml"
+// (worlds/world_file.h). Throws InputError for an unknown name (with the nearest one) or a wrong
+// setting.
 World build_world(const std::string& name, const Settings& settings = {});
 
 }  // namespace mapbed

@@ -78,6 +78,44 @@ TEST(Worlds, KeepTheGlassOfTheOfficeFree) {
   }
 }
 
+double length_of(const NamedPath& path) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    sum += (path.points[i].position - path.points[i - 1].position).norm();
+  }
+  return sum;
+}
+
+// A drive cuts corners: 0.1 to 0.2 m each with the driver's look-ahead of 0.6 m.
+TEST(Worlds, HavePathsAsLongAsTheThesisSays) {
+  const NamedPath tour = path_by_name(build_world("museum"), "tour_with_one_loop");
+  EXPECT_NEAR(length_of(tour), 57.0 + 4 * 0.15, 0.25);  // chapters 3 and 4
+  const NamedPath rounds = path_by_name(build_world("hall_loop"), "rounds");
+  EXPECT_NEAR(length_of(rounds), 251.0 + 13 * 0.15, 1.0);  // Figure 5.10
+  const NamedPath corridor = path_by_name(build_world("office_corridor"), "there_and_back");
+  EXPECT_NEAR(length_of(corridor), 74.0, 0.2);  // Figure 4.5
+}
+
+TEST(Worlds, ThePathRoundsGoesOnByAShareOfARound) {
+  const auto rounds = [](const std::string& share) {
+    const Settings settings{parse_setting("rounds=2"), parse_setting("last_round=" + share)};
+    return length_of(path_by_name(build_world("loop_corridor", settings), "rounds"));
+  };
+  EXPECT_NEAR(rounds("0.3"), 2.3 / 2.0 * rounds("0"), 1e-9);
+  EXPECT_NEAR(rounds("1"), 3.0 / 2.0 * rounds("0"), 1e-9);
+}
+
+TEST(Worlds, OfOneBuilderHaveNamesOfTheirOwn) {
+  EXPECT_EQ(build_world("hall_loop").name, "hall_loop");
+  EXPECT_EQ(build_world("nested_loops").name, "nested_loops");
+}
+
+TEST(Worlds, FilesInTheirFolderAreFoundByName) {
+  EXPECT_THAT(world_file_names(), ::testing::Contains("workshop"));
+  EXPECT_EQ(build_world("workshop").name, "workshop");
+  EXPECT_THAT(message_of("wokshop"), HasSubstr("did you mean 'workshop'?"));
+}
+
 TEST(Worlds, SuggestTheNameThatWasMeant) {
   EXPECT_THAT(message_of("offcie"), HasSubstr("unknown world 'offcie'; did you mean 'office'?"));
 }

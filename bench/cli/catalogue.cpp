@@ -4,6 +4,7 @@
 #include "algorithms/grid/map_builder.h"
 #include "bench/experiments/experiment.h"
 #include "bench/scenario/scenario.h"
+#include "core/config/config_node.h"
 #include "core/config/quantity.h"
 #include "core/data_path.h"
 #include "core/log/log_description.h"
@@ -28,6 +29,13 @@ std::vector<CatalogueEntry> world_entries() {
   std::vector<CatalogueEntry> entries;
   for (const WorldKind& kind : world_kinds()) {
     entries.push_back({kind.name, kind.about, [&kind] { return kind.complete_yaml({}); }});
+  }
+  for (const std::string& name : world_file_names()) {
+    const std::string path = find_data_file("world", "worlds", name).string();
+    const ConfigNode file = load_config(path);
+    const ConfigNode* about = file.find("about");
+    entries.push_back({name, about != nullptr ? about->text() : "a world file",
+                       [path] { return read_text_file(path); }});
   }
   return entries;
 }

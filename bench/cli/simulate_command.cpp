@@ -85,7 +85,9 @@ void add_simulate_command(CLI::App& program, Action& action) {
   command->add_option("--world", a->world, "a world's name or file");
   command->add_option("--robot", a->robot, "a robot's name or file");
   command->add_option("--path", a->path, "a named path of the world; its first where left out");
-  command->add_option("--people", a->people, "how many walk about; as the world says if left out")
+  command
+      ->add_option("--people", a->people,
+                   "how many are about, all together; as the world says if left out")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--seed", a->seed, "of everything that is chance");
   command->add_option("--variant", a->variant, "which of those that the scenario compares");

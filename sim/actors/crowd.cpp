@@ -183,6 +183,18 @@ void check_rules(const World& world, int walkers, int standing) {
 
 }  // namespace
 
+CrowdOptions with_people(CrowdOptions options, const CrowdRules& rules, int people) {
+  const int total = rules.walkers + rules.standing + rules.blockers;
+  const auto rounded = [&](int part) {
+    return total > 0 ? static_cast<int>(std::lround(static_cast<double>(people) * part / total))
+                     : 0;
+  };
+  options.blockers = rounded(rules.blockers);
+  options.standing = rounded(rules.blockers + rules.standing) - options.blockers;
+  options.walkers = people - options.blockers - options.standing;
+  return options;
+}
+
 Crowd::Crowd(const World& world, const FloorPlan& plan, const RobotView& robot,
              const CrowdOptions& options, const Rng& rng)
     : state_(std::make_unique<State>(plan, options)) {

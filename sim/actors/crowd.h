@@ -38,6 +38,10 @@ void visit_fields(CrowdOptions& o, Visitor&& visit) {
   visit("force", o.force, "how people move");
 }
 
+// So many people all together, divided as the world divides its own between those who walk, stand
+// and block; where it has nobody, all walk.
+CrowdOptions with_people(CrowdOptions options, const CrowdRules& rules, int people);
+
 enum class PersonKind : int { walker, standing, blocker };
 
 // A person as others see it.

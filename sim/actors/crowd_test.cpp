@@ -1,5 +1,6 @@
 #include "sim/actors/crowd.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/testing/throws_input_error.h"
@@ -129,6 +130,21 @@ TEST(Crowd, AnotherPersonChangesNobodyElsesBody) {
     EXPECT_EQ(few.person(k).pose, more.person(k).pose);
     EXPECT_EQ(few.person(k).radius, more.person(k).radius);
   }
+}
+
+TEST(Crowd, ManyPeopleAreDividedAsTheWorldDividesItsOwn) {
+  const auto divided = [](int people, const CrowdRules& rules) {
+    const CrowdOptions o = with_people({}, rules, people);
+    return std::array{o.walkers, o.standing, o.blockers};
+  };
+  const CrowdRules museum{.walkers = 12, .standing = 3};
+  EXPECT_EQ(divided(15, museum), (std::array{12, 3, 0}));
+  EXPECT_EQ(divided(5, museum), (std::array{4, 1, 0}));
+  EXPECT_EQ(divided(1, museum), (std::array{1, 0, 0}));
+  EXPECT_EQ(divided(0, museum), (std::array{0, 0, 0}));  // nobody: not those who stand either
+  EXPECT_EQ(divided(7, {.walkers = 2, .standing = 2, .blockers = 2}), (std::array{2, 3, 2}));
+  EXPECT_EQ(divided(4, {.walkers = 0, .standing = 3}), (std::array{0, 4, 0}));
+  EXPECT_EQ(divided(6, {}), (std::array{6, 0, 0}));
 }
 
 TEST(Crowd, ThatDoesNotFitIsRefused) {

@@ -1,6 +1,7 @@
 #include "sim/physics/wheels.h"
 
 #include <cmath>
+#include <vector>
 
 #include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
@@ -25,9 +26,10 @@ struct Drive {
 };
 
 // On an endless floor without anything in the way.
-Drive driven(Wheels wheels, const DriveCommand& command, double seconds) {
+Drive driven(Wheels wheels, const DriveCommand& command, double seconds, const Pose2& start = {}) {
   constexpr double dt = 0.01;
   Drive d;
+  d.truth = start;
   for (int i = 0; i < static_cast<int>(std::lround(seconds / dt)); ++i) {
     wheels.drive(command, dt);
     d.velocity = wheels.push(d.velocity, d.truth, dt);
@@ -73,20 +75,51 @@ TEST(Wheels, OneSmallerWheelBendsTheWayButNotTheOdometry) {
   EXPECT_GT(std::abs(d.truth.theta), radians(5.0));
 }
 
-TEST(Wheels, SkidSteeringTurnsDifferentlyFromFloorToFloor) {
-  Robot robot = robot_with(DriveKind::skid_steer);
-  robot.drive.surface_spread = 0.3;
+struct Moments {
+  double mean, spread;
+};
+
+Moments moments(const std::vector<double>& values) {
+  double sum = 0.0;
   double squares = 0.0;
-  constexpr int kFloors = 30;
-  for (int floor = 0; floor < kFloors; ++floor) {
-    const Drive d =
-        driven(Wheels(robot, Rng(static_cast<std::uint64_t>(floor))), {.turn_velocity = 0.5}, 4.0);
-    const double error = angle_difference(d.odometry.theta, d.truth.theta);
-    squares += error * error;
+  for (const double v : values) sum += v;
+  const double mean = sum / static_cast<double>(values.size());
+  for (const double v : values) squares += (v - mean) * (v - mean);
+  return {mean, std::sqrt(squares / static_cast<double>(values.size()))};
+}
+
+// Five standard errors.
+void expect_moments(const std::vector<double>& values, double mean, double spread) {
+  const double root = std::sqrt(static_cast<double>(values.size()));
+  EXPECT_NEAR(moments(values).mean, mean, 5.0 * spread / root);
+  EXPECT_NEAR(moments(values).spread, spread, 5.0 * spread / root / std::sqrt(2.0));
+}
+
+TEST(Wheels, TheirRadiiHaveTheSpreadThatWasAskedFor) {
+  Robot robot = robot_with(DriveKind::differential);
+  robot.drive.wheel_spread = 0.01;
+  std::vector<double> differences;  // of right and left radius, relative
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const Drive d = driven(Wheels(robot, Rng(seed)), {.forward_velocity = 0.5}, 2.0);
+    differences.push_back(d.velocity.turn * robot.drive.track / 0.5);
   }
-  const double spread = std::sqrt(squares / kFloors);
-  EXPECT_GT(spread, radians(3.0));
-  EXPECT_LT(spread, radians(60.0));
+  expect_moments(differences, 0.0, 0.01 * std::sqrt(2.0));
+}
+
+TEST(Wheels, SkidSteeringTurnsAsTheFloorsFrictionSays) {
+  Robot robot = robot_with(DriveKind::skid_steer);
+  robot.drive.surface_spread = 0.15;
+  const double a2 = 0.15 * 0.15;  // half the wheel base, squared
+  const double b2 = 0.2 * 0.2;    // half the track, squared
+  std::vector<double> sideways;
+  for (std::uint64_t floor = 0; floor < 300; ++floor) {
+    const Pose2 inside_a_patch{1.0, 1.0, 0.0};
+    const Drive d = driven(Wheels(robot, Rng(floor)), {.turn_velocity = 0.5}, 2.0, inside_a_patch);
+    // The moments balance at omega = w (a^2 + b^2) / (b^2 + k^2 a^2), k being sideways friction
+    // over lengthwise; odometry believes in k = 1.
+    sideways.push_back(std::sqrt((0.5 / d.velocity.turn * (a2 + b2) - b2) / a2));
+  }
+  expect_moments(sideways, 1.0, 0.15);
 }
 
 TEST(Wheels, ASynchroDriveDoesNotCareAboutSidewaysFriction) {

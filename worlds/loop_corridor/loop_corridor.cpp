@@ -125,12 +125,30 @@ NamedPath path(const std::string& name, const std::vector<std::vector<WayPoint>>
   return result;
 }
 
-void add_paths(World& world, const LoopPlan& plan, int rounds) {
+// The first way of a closed round, as far as its share says.
+std::vector<WayPoint> beginning(const std::vector<WayPoint>& round, double share) {
+  const auto side = [&](std::size_t i) -> Eigen::Vector2d {
+    return round[(i + 1) % round.size()].position - round[i].position;
+  };
+  double left = 0.0;
+  for (std::size_t i = 0; i < round.size(); ++i) left += share * side(i).norm();
+  std::vector<WayPoint> way;
+  for (std::size_t i = 0; left > 0.0 && i < round.size(); ++i) {
+    const double length = std::min(left, side(i).norm());
+    way.push_back({round[i].position + length * side(i).normalized()});
+    left -= length;
+  }
+  return way;
+}
+
+void add_paths(World& world, const LoopPlan& plan, const LoopCorridorOptions& options) {
   const std::vector<WayPoint> large = large_round(plan);
-  std::vector<std::vector<WayPoint>> all(static_cast<std::size_t>(rounds),
+  std::vector<std::vector<WayPoint>> all(static_cast<std::size_t>(options.rounds),
                                          plan.nested() ? small_round(plan) : large);
   if (plan.nested()) all.push_back(large);
-  world.paths = {path("once", {large}), path("rounds", all)};
+  NamedPath rounds = path("rounds", all);
+  for (const WayPoint& point : beginning(large, options.last_round)) rounds.points.push_back(point);
+  world.paths = {path("once", {large}), rounds};
 }
 
 // A few things against the walls of the straight corridors.
@@ -184,7 +202,7 @@ World build_loop_corridor(const LoopCorridorOptions& options) {
     add_outline(world, "block " + std::to_string(++number) + " wall", block, false,
                 options.features, rng);
   }
-  add_paths(world, plan, options.rounds);
+  add_paths(world, plan, options);
   world.crowd.walkers = options.walkers;
   CrowdRoute route{.name = "round", .closed = true};
   for (const WayPoint& point : large_round(plan)) route.points.push_back(point.position);

@@ -12,7 +12,7 @@ namespace mapbed {
 // Shut doors, piers and a few things along the walls are all that tells one place from another.
 //
 // Paths: `once` round the large loop; `rounds` as often as said below, round the small loop where
-// there is one and then once round the large one.
+// there is one and then once round the large one, and on by a part of a large round.
 struct LoopCorridorOptions {
   std::uint64_t seed = 0;       // 0: as said below; others vary sizes by up to 10 %
   double length = 50.0;         // [m] of the large loop along x, outside
@@ -22,6 +22,7 @@ struct LoopCorridorOptions {
   double small_width = 12.0;    // [m] of the small loop along y, outside
   double features = 1.0;        // doors, piers and furniture: 0 bare walls, 1 as usual
   int rounds = 3;
+  double last_round = 0.0;  // share of one more large round at the end of `rounds`
   int walkers = 0;
 };
 
@@ -36,11 +37,14 @@ void visit_fields(LoopCorridorOptions& o, Visitor&& visit) {
   visit("small_width", o.small_width, Unit::meter, between(6, 1000), "of the small loop");
   visit("features", o.features, between(0, 2), "doors, piers, furniture; 0: bare walls");
   visit("rounds", o.rounds, between(1, 100), "of the path `rounds`");
+  visit("last_round", o.last_round, kShare, "of one more large round, at the end of `rounds`");
   visit("walkers", o.walkers, between(0, 500), "people who walk about");
 }
 
-inline LoopCorridorOptions hall_loop() {  // 32 m x 10 m, 251 m in three and a half rounds
-  return {.length = 32.0, .width = 10.0, .corridor_width = 2.8, .features = 0.7};
+// 32 m x 10 m; `rounds` is a drive of 251 m, corners cut (Figure 5.10).
+inline LoopCorridorOptions hall_loop() {
+  return {
+      .length = 32.0, .width = 10.0, .corridor_width = 2.8, .features = 0.7, .last_round = 0.47};
 }
 inline LoopCorridorOptions nested_loops() {
   return {.length = 46.0, .width = 30.0, .small_length = 16.0, .small_width = 12.0};

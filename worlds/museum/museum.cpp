@@ -86,6 +86,9 @@ void add_paths(World& world, const Hall& hall) {
                        {2, 3},
                        {2, 1},
                        {1, 1}})};
+  // On along its first lane: the robot comes to where it was, and the drive to 57 m.
+  NamedPath& tour = world.paths.front();
+  tour.points.push_back({hall.crossing(1, 1) + Eigen::Vector2d(1.25, 0.0)});
 }
 
 // Visitors walk round a rectangle of lanes each.

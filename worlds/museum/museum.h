@@ -12,8 +12,8 @@ namespace mapbed {
 // along the lanes of a grid and stand before the showcases. The hall reaches from (0, 0) to
 // (width, length), inside.
 //
-// Paths: `tour_with_one_loop` (57 m) along four lanes and back to its start; `long_tour` past
-// everything.
+// Paths: `tour_with_one_loop` along four lanes, back to its start and a little on, a drive of 57 m
+// as in chapters 3 and 4; `long_tour` past everything.
 struct MuseumOptions {
   std::uint64_t seed = 0;  // 0: as said below; others vary sizes by up to 10 %
   double width = 30.0;     // [m] along x, inside

@@ -1,0 +1,126 @@
+#include "sim/simulation.h"
+
+#include <cmath>
+#include <vector>
+
+#include "sim/scripted_driver.h"
+#include "sim/testing/small_world.h"
+
+namespace mapbed {
+namespace {
+
+using Eigen::Vector2d;
+
+Robot round_robot() {
+  Robot robot;
+  robot.name = "round";
+  robot.mass = 20.0;
+  robot.height = 0.5;
+  robot.footprint.radius = 0.25;
+  return robot;
+}
+
+// Two rooms with a door between them at x = 5, hinged at (5, 2.5), and a walk from one to the
+// other.
+World two_rooms() {
+  World world = small_room(10.0, 6.0);
+  world.entities.push_back(block("wall", {5.0, 1.25}, {0.2, 2.5}));
+  world.entities.push_back(block("wall", {5.0, 4.75}, {0.2, 2.5}));
+  Entity leaf{.name = "door", .kind = EntityKind::door};
+  leaf.parts = {{"leaf", Box{{1.0, 0.04, 2.0}}, upright({0.5, 0.0, 0.0}, 1.0), 0}};
+  world.entities.push_back(leaf);
+  world.doors = {{.name = "door",
+                  .entity = static_cast<int>(world.entities.size()) - 1,
+                  .world_from_hinge = {5.0, 2.5, 1.5707963267948966},
+                  .width = 1.0,
+                  .opens_within = 1.5}};
+  world.crowd = {.pause_share = 0.0,
+                 .group_share = 0.0,
+                 .routes = {{.name = "through", .points = {{1.5, 3.0}, {8.5, 3.0}}}}};
+  return world;
+}
+
+// Distance of a point from a door's leaf as it stands.
+double distance_to_leaf(const Pose2& world_from_leaf, double width, const Vector2d& point) {
+  const Vector2d in_leaf = inverse(world_from_leaf) * point;
+  return (in_leaf - Vector2d(std::clamp(in_leaf.x(), 0.0, width), 0.0)).norm();
+}
+
+TEST(Simulation, WalkersPassADoorWhenItIsOpenAndNeverItsLeafOrTheWall) {
+  const World world = two_rooms();
+  Simulation simulation(world, round_robot(), {1.0, 0.8, 0.0}, {.people = {.walkers = 2}}, Rng(2));
+  const FloorPlan plan(world, 0.02, 1.9);
+  std::vector<double> last_x(2, 0.0);
+  int passages = 0;
+  for (int i = 0; i < 6000; ++i) {
+    simulation.step({});
+    const Situation& now = simulation.now();
+    for (std::size_t k = 0; k < 2; ++k) {
+      const PersonView& person = now.people[k];
+      const Vector2d p = person.pose.position();
+      ASSERT_GT(plan.clearance(p), 0.5 * person.radius);
+      ASSERT_GT(distance_to_leaf(now.leaves[0], 1.0, p), 0.1);
+      const bool passes = i > 0 && (last_x[k] - 5.0) * (p.x() - 5.0) < 0.0;
+      last_x[k] = p.x();
+      if (!passes) continue;
+      ++passages;
+      EXPECT_GT(p.y(), 2.5);  // between the posts
+      EXPECT_LT(p.y(), 3.5);
+      EXPECT_GT(std::abs(now.leaves[0].theta - 1.5707963), 0.7);  // the leaf has swung aside
+    }
+  }
+  // 7 m at about 1.1 m/s to and fro for a minute, less what waiting at the door costs.
+  EXPECT_GE(passages, 6);
+  EXPECT_LE(passages, 2 * 10);
+}
+
+TEST(Simulation, NobodyGetsIntoARobotThatDrives) {
+  World world = small_room(12.0, 4.0);
+  world.paths = {{.name = "along", .points = {{{1.0, 2.0}}, {{11.0, 2.0}}, {{1.0, 2.0}}}}};
+  world.crowd.routes = {{.name = "along", .points = {{1.0, 2.0}, {11.0, 2.0}}}};
+  world.crowd.places = {{.position = {6.0, 1.0}, .radius = 0.3}};
+  const Robot robot = round_robot();
+  const CrowdOptions people{.walkers = 3, .standing = 1, .blockers = 1};
+  Simulation simulation(world, robot, start_of(world.paths[0]), {.people = people}, Rng(4));
+  ScriptedDriver driver(simulation, world.paths[0]);
+  double nearest = 100.0;
+  for (int i = 0; i < 6000 && !driver.is_done(); ++i) {
+    simulation.step(driver.command(simulation.now().time));
+    for (const PersonView& person : simulation.now().people) {
+      const double gap = (person.pose.position() - simulation.now().robot.position()).norm();
+      nearest = std::min(nearest, gap - robot.footprint.radius);
+    }
+  }
+  EXPECT_GT(nearest, 0.15);  // [m] from a body's middle to the robot's side: no leg under it
+  EXPECT_LT(nearest, 1.0);   // they did meet
+}
+
+TEST(Simulation, WhoWalksAloneDoesSoAtHisDrawnSpeed) {
+  World world = small_room(60.0, 6.0);
+  world.crowd = {.pause_share = 0.0,
+                 .group_share = 0.0,
+                 .routes = {{.name = "along", .points = {{1.0, 3.0}, {59.0, 3.0}}}}};
+  constexpr int kWalkers = 100;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::uint64_t seed = 0; seed < kWalkers; ++seed) {
+    const FloorPlan plan(world, 0.02, 1.9);
+    Crowd crowd(world, plan, {.pose = {-50.0, 0.0, 0.0}},
+                {.walkers = 1, .mean_speed = 1.1, .speed_sigma = 0.1}, Rng(seed));
+    // The fastest of five seconds: he may have to turn round at an end of the route.
+    double speed = 0.0;
+    for (int i = 0; i < 500; ++i) {
+      crowd.step({.pose = {-50.0, 0.0, 0.0}}, {}, 0.01);
+      speed = std::max(speed, crowd.person(0).velocity.norm());
+    }
+    sum += speed;
+    squares += speed * speed;
+  }
+  const double mean = sum / kWalkers;
+  const double spread = std::sqrt(squares / kWalkers - mean * mean);
+  EXPECT_NEAR(mean, 1.1, 5 * 0.1 / std::sqrt(kWalkers));
+  EXPECT_NEAR(spread, 0.1, 5 * 0.1 / std::sqrt(2.0 * kWalkers));
+}
+
+}  // namespace
+}  // namespace mapbed
