@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/config/option.h"
+#include "core/input_error.h"
 
 namespace mapbed {
 
@@ -80,21 +81,31 @@ struct CostRow {
 };
 
 // A picture of the summary.
-enum class PlotKind : int { lines, bars, points };
+enum class PlotKind : int { lines, bars, points, heat_map };
+
+// A value from elsewhere that a plot is to be seen against.
+struct PlotReference {
+  std::string name;   // "published"
+  std::string value;  // of the plot's metric, with its unit: "0.22 m"
+};
 
 struct PlotSpec {
   std::string file;  // figures/<file>.svg
   std::string title;
   PlotKind kind = PlotKind::lines;  // points: one for each run, x is a metric
   std::string x;         // path of an axis, or a metric; empty: the variants side by side
-  std::string y;         // a metric
+  std::string y;         // a metric; of a heat map the path of an axis
+  std::string value;     // of a heat map: the metric that the colours show
   std::string lines_by;  // path of a second axis, a line for each of its values; or empty
   std::vector<std::string> variants;  // empty: all
+  std::vector<PlotReference> references = {};
   bool log_x = false;
   bool log_y = false;
   std::string x_label;  // empty: by path and unit
   std::string y_label;
-  std::string thesis;  // which figure it stands beside
+  std::string value_label;  // of a heat map
+  std::string thesis;       // which figure it stands beside
+  Place place = {};         // in the scenario
 };
 
 struct Results {

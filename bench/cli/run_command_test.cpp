@@ -113,6 +113,26 @@ TEST_F(RunCommand, DoesNothingTwice) {
   EXPECT_EQ(read_text_file(folder_.file("r/provenance.json")), before);
 }
 
+TEST_F(RunCommand, OtherPlotsAndClaimsNeedNoOtherRuns) {
+  write("other.yaml", "base: drives.yaml\nabout: in other words\nplots: [{y: largest_error}]\n");
+  const auto run_into_r = [&](const std::string& scenario) {
+    return run_mapbed({"run", scenario, "--set", "seeds=2", "--out", "r"}, folder_.file("."));
+  };
+  ASSERT_EQ(run_into_r("./drives.yaml").status, 0);
+  const Outcome again = run_into_r("./other.yaml");
+  EXPECT_THAT(again.out, HasSubstr("8 were done before, 0 recordings made"));
+  EXPECT_THAT(read_text_file(folder_.file("r/report.html")), HasSubstr("in other words"));
+  const std::string figure = folder_.file("r/figures/largest_error.svg");
+  const std::string drawn = read_text_file(figure);
+
+  fs::remove(figure);
+  EXPECT_EQ(run_mapbed({"report", "r"}, folder_.file(".")).status, 0);
+  EXPECT_EQ(read_text_file(figure), drawn);
+
+  run_into_r("./drives.yaml");
+  EXPECT_FALSE(fs::exists(figure));
+}
+
 TEST_F(RunCommand, TheExitStatusTellsWhetherClaimsHold) {
   write("no.yaml", "base: drives.yaml\nseeds: 1\nclaims: [{metric: largest_error, below: 0 m}]\n");
   const auto status = [&](std::vector<std::string> more) {
@@ -141,8 +161,10 @@ TEST_F(RunCommand, RefusesBadInputInOneLine) {
 }
 
 TEST_F(RunCommand, ALogThatIsNotHereIsSkippedInWords) {
-  write("away.yaml", "about: a\nfile: away.log\nsha256: " + std::string(64, 'a') +
-                         "\nsource: s\nlicence: l\nfetch: f\nrobot: r\nlaser: x\n");
+  write("away.yaml",
+        fmt::format("about: a\nfile: away.log\nsha256: {:a>64}\nsource: s\nlicence: l\n"
+                    "fetch: f\nrobot: r\nlaser: x\n",
+                    "b"));
   write("real.yaml",
         "about: recorded logs\nlog.longest: 3 s\nseeds: 2\nmetrics: [path_length, largest_error]\n"
         "compare: {here: {log: example}, away: {log: ./away.yaml}}\n"

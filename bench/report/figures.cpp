@@ -58,6 +58,10 @@ Axis metric_axis(const Metric& metric, const std::string& label, bool logarithmi
   return {label.empty() ? words_of(metric.name) : label, shown_unit(metric.unit), logarithmic};
 }
 
+Axis swept_axis(const SweepAxis& axis, const std::string& label, bool logarithmic) {
+  return {label.empty() ? words_of(axis.path) : label, axis.unit, logarithmic};
+}
+
 bool is_shown(const Results& results, const PlotSpec& spec, int variant) {
   const bool was_run =
       results.skipped.empty() ||
@@ -134,6 +138,37 @@ std::string said_of(const PlotSpec& spec, const std::string& treatment, int runs
   return text;
 }
 
+// The runs behind a picture of the summary.
+struct Shown {
+  int runs = 0, failed = 0, missing = 0;
+  int least = std::numeric_limits<int>::max(), most = 0;  // of one place
+
+  void add(const SummaryRow& row) {
+    runs += row.runs;
+    failed += row.failed;
+    missing += row.missing;
+    least = std::min(least, row.runs);
+    most = std::max(most, row.runs);
+  }
+  // `several` with the number, "10" or "8 to 10", in place of its braces.
+  std::string runs_each(const std::string& several) const {
+    if (most <= 1) return "one run each";
+    const std::string count =
+        least >= most ? fmt::to_string(most) : fmt::format("{} to {}", least, most);
+    return fmt::format(fmt::runtime(several), count);
+  }
+};
+
+// Of the level's value along an axis among all of them, which are sorted.
+std::size_t rank_of(const Results& results, int level, int axis,
+                    const std::vector<double>& sorted) {
+  const Level& at = results.levels[static_cast<std::size_t>(level)];
+  const auto choice = static_cast<std::size_t>(at.choice[static_cast<std::size_t>(axis)]);
+  const double number = results.axes[static_cast<std::size_t>(axis)].numbers[choice];
+  return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), number) -
+                                  sorted.begin());
+}
+
 void add_means(const Results& results, const PlotSpec& spec, int metric, int x_axis, Plot& plot) {
   const Unit unit = results.metrics[static_cast<std::size_t>(metric)].unit;
   // Between names there is nothing that a line could pass through.
@@ -141,7 +176,7 @@ void add_means(const Results& results, const PlotSpec& spec, int metric, int x_a
   const Mark mark = spec.kind == PlotKind::bars && !spec.log_y ? Mark::bars
                     : names || spec.kind == PlotKind::bars     ? Mark::points
                                                                : Mark::line;
-  int runs = 0, failed = 0, missing = 0, least = std::numeric_limits<int>::max(), most = 0;
+  Shown counted;
   for (const SummaryRow& row : results.summary) {
     if (row.metric != metric || !is_shown(results, spec, row.variant)) continue;
     if (row.runs == 0) continue;  // skipped
@@ -150,22 +185,14 @@ void add_means(const Results& results, const PlotSpec& spec, int metric, int x_a
     series.y.push_back(shown(row.mean, unit));
     series.low.push_back(shown(row.low, unit));
     series.high.push_back(shown(row.high, unit));
-    runs += row.runs;
-    failed += row.failed;
-    missing += row.missing;
-    least = std::min(least, row.runs);
-    most = std::max(most, row.runs);
+    counted.add(row);
   }
-  const std::string count =
-      least >= most ? fmt::to_string(most) : fmt::format("{} to {}", least, most);
   const std::string interval = mark == Mark::line ? "band" : "error bar";
   plot.subtitle = said_of(spec,
-                          most > 1 ? fmt::format("mean of {} runs each, {}: 95 % bootstrap "
-                                                 "interval of the mean",
-                                                 count, interval)
-                                   : "one run each",
-                          runs, failed, missing);
-  if (most <= 1) {
+                          counted.runs_each("mean of {} runs each, " + interval +
+                                            ": 95 % bootstrap interval of the mean"),
+                          counted.runs, counted.failed, counted.missing);
+  if (counted.most <= 1) {
     for (Series& series : plot.series) series.low = series.high = {};
   }
 }
@@ -199,7 +226,12 @@ Plot figure_of(const Results& results, const PlotSpec& spec) {
   const int metric = metric_of(results, spec.y);
   CHECK(metric >= 0);
   Plot plot{.title = spec.title};
-  plot.y = metric_axis(results.metrics[static_cast<std::size_t>(metric)], spec.y_label, spec.log_y);
+  const Metric& shown_metric = results.metrics[static_cast<std::size_t>(metric)];
+  plot.y = metric_axis(shown_metric, spec.y_label, spec.log_y);
+  for (const PlotReference& reference : spec.references) {
+    const double value = parse_quantity(reference.value, shown_metric.unit, spec.place);
+    plot.references.push_back({reference.name, shown(value, shown_metric.unit)});
+  }
   const int x_metric = metric_of(results, spec.x);
   if (spec.kind == PlotKind::points && x_metric >= 0) {
     plot.x =
@@ -218,14 +250,49 @@ Plot figure_of(const Results& results, const PlotSpec& spec) {
   return plot;
 }
 
+HeatMap heat_map_of(const Results& results, const PlotSpec& spec) {
+  const int metric = metric_of(results, spec.value);
+  const int x = axis_of(results, spec.x);
+  const int y = axis_of(results, spec.y);
+  CHECK(metric >= 0 && x >= 0 && y >= 0);
+  const Metric& shown_metric = results.metrics[static_cast<std::size_t>(metric)];
+  const SweepAxis& columns = results.axes[static_cast<std::size_t>(x)];
+  const SweepAxis& rows = results.axes[static_cast<std::size_t>(y)];
+  HeatMap map{.title = spec.title, .xs = columns.numbers, .ys = rows.numbers};
+  map.x = swept_axis(columns, spec.x_label, spec.log_x);
+  map.y = swept_axis(rows, spec.y_label, spec.log_y);
+  map.value = metric_axis(shown_metric, spec.value_label, false);
+  std::sort(map.xs.begin(), map.xs.end());
+  std::sort(map.ys.begin(), map.ys.end());
+  map.values.assign(map.xs.size() * map.ys.size(), std::numeric_limits<double>::quiet_NaN());
+  Shown counted;
+  for (const SummaryRow& row : results.summary) {
+    if (row.metric != metric || !is_shown(results, spec, row.variant)) continue;
+    const std::size_t column = rank_of(results, row.level, x, map.xs);
+    const std::size_t line = rank_of(results, row.level, y, map.ys);
+    map.values[line * map.xs.size() + column] = shown(row.mean, shown_metric.unit);
+    counted.add(row);
+  }
+  map.subtitle = said_of(spec, counted.runs_each("mean of {} runs each"), counted.runs,
+                         counted.failed, counted.missing);
+  return map;
+}
+
 void write_figures(const std::string& folder, const Results& results) {
   if (results.plots.empty()) return;
   const std::filesystem::path figures = std::filesystem::path(folder) / "figures";
   std::filesystem::create_directories(figures);
+  const auto write = [&](const PlotSpec& spec, const auto& picture) {
+    write_file((figures / (spec.file + ".svg")).string(), svg_of(picture));
+    write_file((figures / (spec.file + ".csv")).string(), csv_of(picture));
+  };
   for (const PlotSpec& spec : results.plots) {
-    const Plot plot = figure_of(results, spec);
-    write_file((figures / (spec.file + ".svg")).string(), svg_of(plot));
-    write_file((figures / (spec.file + ".csv")).string(), csv_of(plot));
+    if (spec.kind != PlotKind::heat_map) {
+      write(spec, figure_of(results, spec));
+      continue;
+    }
+    const HeatMap map = heat_map_of(results, spec);
+    if (map.xs.size() > 1 && map.ys.size() > 1) write(spec, map);
   }
 }
 

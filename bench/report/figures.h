@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "bench/report/heat_map.h"
 #include "bench/report/plot.h"
 #include "bench/results.h"
 
@@ -12,7 +13,11 @@ namespace mapbed {
 // in degrees.
 Plot figure_of(const Results& results, const PlotSpec& spec);
 
-// Writes each of Results::plots as <folder>/figures/<file>.svg with its numbers as <file>.csv.
+// The same of a plot of that kind: means as colours.
+HeatMap heat_map_of(const Results& results, const PlotSpec& spec);
+
+// Writes each of Results::plots as <folder>/figures/<file>.svg with its numbers as <file>.csv; no
+// heat map of a reduced run that has fewer than two levels along one side.
 void write_figures(const std::string& folder, const Results& results);
 
 }  // namespace mapbed

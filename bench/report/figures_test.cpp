@@ -104,6 +104,35 @@ TEST(Figures, PointsAreRunsOneMetricOverAnother) {
   EXPECT_THAT(plot.subtitle, HasSubstr("1 of 2 runs failed; 1 without a value left out"));
 }
 
+TEST(Figures, ReferencesAreShownInTheUnitOfTheAxis) {
+  const Plot plot = figure_of(
+      sweep(),
+      {.x = "odometry.sigma", .y = "heading_error", .references = {{"published", "90 deg"}}});
+  ASSERT_EQ(plot.references.size(), 1u);
+  EXPECT_NEAR(plot.references[0].y, 90.0, 1e-9);
+  EXPECT_EQ(plot.references[0].name, "published");
+}
+
+// Of two axes, the second one in falling order.
+TEST(Figures, AHeatMapHasTheMeansInTheOrderOfItsSides) {
+  Results results = sweep();
+  results.variants = {"all"};
+  results.metrics = {{"distance", Unit::meter, ""}};
+  results.axes.push_back({"people", {"5", "0"}, {5, 0}, ""});
+  results.levels = {{{0, 0}}, {{0, 1}}, {{1, 0}}, {{1, 1}}};
+  results.summary = {row(0, 0, 1.0), row(1, 0, 2.0), row(2, 0, 3.0), row(3, 0, 4.0)};
+  results.summary[2].failed = 1;
+  const HeatMap map = heat_map_of(
+      results,
+      {.kind = PlotKind::heat_map, .x = "odometry.sigma", .y = "people", .value = "distance"});
+  EXPECT_THAT(map.xs, ElementsAre(0.0, 2.0));
+  EXPECT_THAT(map.ys, ElementsAre(0.0, 5.0));
+  EXPECT_THAT(map.values, ElementsAre(2.0, 4.0, 1.0, 3.0));
+  EXPECT_EQ(title_of(map.x), "sigma [deg]");
+  EXPECT_EQ(title_of(map.value), "distance [m]");
+  EXPECT_EQ(map.subtitle, "mean of 3 runs each; 1 of 12 runs failed");
+}
+
 TEST(Figures, AreWrittenWithTheirNumbers) {
   const TemporaryFolder folder;
   Results results = sweep();

@@ -103,17 +103,6 @@ std::string short_markdown(const ResultFolder& result) {
   return text;
 }
 
-std::vector<ResultFolder> results_below(const std::string& folder) {
-  std::vector<std::string> folders;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (is_result_folder(entry.path().string())) folders.push_back(entry.path().string());
-  }
-  std::sort(folders.begin(), folders.end());
-  std::vector<ResultFolder> results;
-  for (const std::string& path : folders) results.push_back(load_result_folder(path));
-  return results;
-}
-
 }  // namespace
 
 std::string overview_page(const std::vector<ResultFolder>& results) {
@@ -152,24 +141,17 @@ std::string overview_markdown(const std::vector<ResultFolder>& results) {
 }
 
 std::vector<std::string> write_reports(const std::string& folder) {
-  if (!fs::is_directory(folder)) throw InputError({folder}, "there is no such folder");
   std::vector<std::string> written;
   const auto write = [&](const std::string& path, const std::string& text) {
     write_file(path, text);
     written.push_back(path);
   };
-  if (is_result_folder(folder)) {
-    write((fs::path(folder) / "report.html").string(), scenario_page(load_result_folder(folder)));
-    return written;
+  std::vector<ResultFolder> results;
+  for (const std::string& path : result_folders(folder)) {
+    results.push_back(load_result_folder(path));
+    write((fs::path(path) / "report.html").string(), scenario_page(results.back()));
   }
-  const std::vector<ResultFolder> results = results_below(folder);
-  if (results.empty()) {
-    throw InputError({folder}, "holds no results: no folder with a config.yaml and a summary.csv",
-                     "make some with 'mapbed run SCENARIO'");
-  }
-  for (const ResultFolder& result : results) {
-    write((fs::path(result.folder) / "report.html").string(), scenario_page(result));
-  }
+  if (is_result_folder(folder)) return written;
   write((fs::path(folder) / "report.html").string(), overview_page(results));
   write((fs::path(folder) / "README.md").string(), overview_markdown(results));
   return written;

@@ -67,6 +67,21 @@ bool is_result_folder(const std::string& folder) {
          fs::is_regular_file(fs::path(folder) / "summary.csv");
 }
 
+std::vector<std::string> result_folders(const std::string& folder) {
+  if (!fs::is_directory(folder)) throw InputError({folder}, "there is no such folder");
+  if (is_result_folder(folder)) return {folder};
+  std::vector<std::string> folders;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (is_result_folder(entry.path().string())) folders.push_back(entry.path().string());
+  }
+  if (folders.empty()) {
+    throw InputError({folder}, "holds no results: no folder with a config.yaml and a summary.csv",
+                     "make some with 'mapbed run SCENARIO'");
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
 ResultFolder load_result_folder(const std::string& folder) {
   const fs::path base(folder);
   if (!is_result_folder(folder)) {

@@ -36,6 +36,10 @@ struct ResultFolder {
 
 bool is_result_folder(const std::string& folder);  // has config.yaml and summary.csv
 
+// The folder itself or, where it is none, those of its folders that are, by name. Throws InputError
+// where there are no results.
+std::vector<std::string> result_folders(const std::string& folder);
+
 // Throws InputError where something is missing or damaged.
 ResultFolder load_result_folder(const std::string& folder);
 

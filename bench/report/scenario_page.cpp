@@ -10,7 +10,6 @@
 #include "bench/report/axis.h"
 #include "bench/report/html.h"
 #include "bench/report/svg_text.h"
-#include "core/atomic_file.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -270,10 +269,6 @@ std::string scenario_page(const ResultFolder& result) {
   page.body += section("How it was made", origin_html(result));
   page.body += "</main>\n";
   return html_of(page);
-}
-
-void write_scenario_page(const std::string& folder) {
-  write_file(folder + "/report.html", scenario_page(load_result_folder(folder)));
 }
 
 }  // namespace mapbed

@@ -10,9 +10,6 @@ namespace mapbed {
 // replays, all numbers, and what they were made with. One file that needs no network.
 std::string scenario_page(const ResultFolder& result);
 
-// Reads the folder of results and writes its report.html, complete or not at all.
-void write_scenario_page(const std::string& folder);
-
 // Parts that the overview shows too.
 std::string claims_html(const ResultFolder& result);
 std::string badges_html(const ResultFolder& result);

@@ -4,15 +4,15 @@
 
 #include <fmt/format.h>
 
+#include "bench/scenario/flow_text.h"
 #include "bench/scenario/plan.h"
+#include "bench/scenario/plot_spec.h"
 #include "core/config/config_node.h"
 #include "core/config/quantity.h"
 #include "core/config/yaml_scalar.h"
 
 namespace mapbed {
 namespace {
-
-const std::vector<std::string> kPlotKinds{"lines", "bars", "points"};
 
 std::string indented(const std::string& yaml, int spaces) {
   std::istringstream lines(yaml);
@@ -23,49 +23,31 @@ std::string indented(const std::string& yaml, int spaces) {
   return result;
 }
 
-std::string list_text(const std::vector<std::string>& texts) {
-  std::string result;
-  for (const std::string& text : texts) {
-    result += (result.empty() ? "" : ", ") + yaml_scalar(text);
-  }
-  return "[" + result + "]";
-}
-
-// "{key: value, …}" of what is not empty.
-std::string map_text(const std::vector<std::pair<std::string, std::string>>& entries) {
-  std::string result;
-  for (const auto& [key, value] : entries) {
-    if (!value.empty()) result += (result.empty() ? "" : ", ") + key + ": " + value;
-  }
-  return "{" + result + "}";
-}
-
-std::string scalar_or_nothing(const std::string& text) {
-  return text.empty() ? "" : yaml_scalar(text);
-}
-
-std::string plot_text(const PlotSpec& plot) {
-  return map_text({{"file", yaml_scalar(plot.file)},
-                   {"title", scalar_or_nothing(plot.title)},
-                   {"kind", kPlotKinds[static_cast<std::size_t>(plot.kind)]},
-                   {"x", scalar_or_nothing(plot.x)},
-                   {"y", yaml_scalar(plot.y)},
-                   {"lines_by", scalar_or_nothing(plot.lines_by)},
-                   {"variants", plot.variants.empty() ? "" : list_text(plot.variants)},
-                   {"log_x", plot.log_x ? "true" : "false"},
-                   {"log_y", plot.log_y ? "true" : "false"},
-                   {"x_label", scalar_or_nothing(plot.x_label)},
-                   {"y_label", scalar_or_nothing(plot.y_label)},
-                   {"thesis", scalar_or_nothing(plot.thesis)}});
-}
-
 std::string metric_text(const Metric& metric) {
   // The unit by its SI symbol: "1 m" without the number.
   const std::string one =
       metric.unit == Unit::none ? "" : quantity_text(1.0, metric.unit).substr(2);
-  return map_text({{"name", metric.name},
-                   {"unit", scalar_or_nothing(one)},
-                   {"about", scalar_or_nothing(metric.about)}});
+  return flow_map(
+      {{"name", metric.name}, {"unit", flow_scalar(one)}, {"about", flow_scalar(metric.about)}});
+}
+
+// What the runs are: nothing else in the scenario changes their results.
+std::string design_text(const ScenarioPlan& plan) {
+  const Scenario& scenario = plan.scenario;
+  std::string text = "experiment: " + yaml_scalar(scenario.experiment) + "\n";
+  text += fmt::format("quick: {}\nseed: {}\nseeds: {}\n", scenario.quick, scenario.seed,
+                      scenario.seeds);
+  text += scenario.axes.empty() ? "sweep: {}\n" : "sweep:\n";
+  for (const SweepAxis& axis : scenario.axes) {
+    text += "  " + yaml_scalar(axis.path) + ": " + flow_list(axis.texts) + "\n";
+  }
+  text += "variants: " + flow_list(plan.results.variants) + "\n";
+  text += "metrics:\n";
+  for (const Metric& metric : plan.results.metrics) text += "  - " + metric_text(metric) + "\n";
+  if (!plan.results.skipped.empty()) {
+    text += "skipped: " + flow_list(plan.results.skipped) + "\n";
+  }
+  return text;
 }
 
 std::string scenario_text(const ScenarioPlan& plan) {
@@ -73,19 +55,7 @@ std::string scenario_text(const ScenarioPlan& plan) {
   std::string text = "id: " + yaml_scalar(scenario.id) + "\n";
   text += "about: " + yaml_scalar(scenario.about) + "\n";
   text += "thesis: " + yaml_scalar(scenario.thesis) + "\n";
-  text += "experiment: " + yaml_scalar(scenario.experiment) + "\n";
-  text += fmt::format("quick: {}\nseed: {}\nseeds: {}\n", scenario.quick, scenario.seed,
-                      scenario.seeds);
-  text += scenario.axes.empty() ? "sweep: {}\n" : "sweep:\n";
-  for (const SweepAxis& axis : scenario.axes) {
-    text += "  " + yaml_scalar(axis.path) + ": " + list_text(axis.texts) + "\n";
-  }
-  text += "variants: " + list_text(plan.results.variants) + "\n";
-  text += "metrics:\n";
-  for (const Metric& metric : plan.results.metrics) text += "  - " + metric_text(metric) + "\n";
-  if (!plan.results.skipped.empty()) {
-    text += "skipped: " + list_text(plan.results.skipped) + "\n";
-  }
+  text += design_text(plan);
   text += plan.results.plots.empty() ? "plots: []\n" : "plots:\n";
   for (const PlotSpec& plot : plan.results.plots) text += "  - " + plot_text(plot) + "\n";
   text += scenario.claims.empty() ? "claims: []\n" : "claims:\n";
@@ -125,6 +95,10 @@ Metric metric_of(const ConfigNode& node) {
 }
 
 }  // namespace
+
+std::string identity_text(const ScenarioPlan& plan) {
+  return design_text(plan) + runs_text(plan);
+}
 
 std::string config_text(const ScenarioPlan& plan) {
   return "scenario:\n" + indented(scenario_text(plan), 2) +

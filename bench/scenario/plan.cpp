@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "bench/scenario/config_text.h"
+#include "bench/scenario/plot_spec.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
 
@@ -47,25 +48,6 @@ std::vector<Metric> chosen_metrics(const Scenario& scenario, const Experiment& e
         "name one or more under 'metrics'; " + suggestion("", names_of(experiment.metrics)));
   }
   return chosen;
-}
-
-void check_plot(const PlotSpec& plot, const Results& results, const std::string& file) {
-  std::vector<std::string> axes;
-  for (const SweepAxis& axis : results.axes) axes.push_back(axis.path);
-  const std::vector<std::string> metrics = names_of(results.metrics);
-  const auto check = [&](const std::string& name, std::vector<std::string> known) {
-    if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
-    throw InputError({file},
-                     "the plot '" + plot.file + "' shows '" + name +
-                         "', which is neither measured nor swept here",
-                     suggestion(name, known));
-  };
-  std::vector<std::string> for_x = axes;
-  for_x.insert(for_x.end(), metrics.begin(), metrics.end());
-  check(plot.y, metrics);
-  check(plot.x, for_x);
-  check(plot.lines_by, axes);
-  for (const std::string& variant : plot.variants) check(variant, results.variants);
 }
 
 Results empty_results(const Scenario& scenario, const Experiment& experiment) {
@@ -169,9 +151,7 @@ ScenarioPlan make_plan(Scenario scenario) {
   plan.experiment = &experiment_by_name(plan.scenario.experiment);
   plan.results = empty_results(plan.scenario, *plan.experiment);
   for (const Claim& claim : plan.scenario.claims) check_claim(claim, plan.results);
-  for (const PlotSpec& plot : plan.results.plots) {
-    check_plot(plot, plan.results, plan.scenario.path);
-  }
+  for (const PlotSpec& plot : plan.results.plots) check_plot(plot, plan.results);
   check_keys(plan.scenario, *plan.experiment);
   for (const Level& level : plan.results.levels) {
     for (const Variant& variant : plan.scenario.variants) {

@@ -60,7 +60,7 @@ std::string to_json(const Provenance& p) {
                   {"machine", machine()},
                   {"command", p.command},
                   {"seed", p.seed},
-                  {"config_sha256", p.config_sha256},
+                  {"runs_sha256", p.runs_sha256},
                   {"runs", p.runs},
                   {"runs_done_before", p.runs_done_before},
                   {"recordings_needed", p.recordings_needed},

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/results_file.h"
+#include "bench/scenario/config_text.h"
 #include "bench/scenario/folder_lock.h"
 #include "bench/scenario/journal.h"
 #include "bench/scenario/provenance.h"
@@ -111,7 +112,7 @@ std::string finished_identity(const std::string& folder) {
   std::ifstream file(fs::path(folder) / kProvenance);
   const auto json = nlohmann::json::parse(file, nullptr, false);
   if (!json.is_object() || !json.contains("program")) return {};
-  return json.value("config_sha256", "") + json["program"].value("sha256", "");
+  return json.value("runs_sha256", "") + json["program"].value("sha256", "");
 }
 
 // The runs of before as rows with level and variant; false numbers would be a broken journal.
@@ -142,7 +143,7 @@ Provenance provenance_of(const ScenarioPlan& plan, const ScenarioRunOptions& opt
                          const ScenarioRun& run) {
   Provenance p;
   p.command = options.command;
-  p.config_sha256 = sha256(plan.config_yaml);
+  p.runs_sha256 = sha256(identity_text(plan));
   p.program_sha256 = sha256_of_program();
   p.seed = plan.scenario.seed;
   p.runs = static_cast<int>(run.results.runs.size());
@@ -156,21 +157,46 @@ Provenance provenance_of(const ScenarioPlan& plan, const ScenarioRunOptions& opt
   return p;
 }
 
-// A finished result of this very configuration and program, judged again.
-ScenarioRun finished_run(const ScenarioPlan& plan, const std::string& folder) {
-  ScenarioRun run{.results = load_results(folder), .complete = true};
-  run.done_before = static_cast<int>(run.results.runs.size());
-  conclude(plan, run.results);
-  fs::remove_all(fs::path(folder) / "runs");
-  return run;
-}
-
 std::vector<ResultFile> tables_of(const ScenarioPlan& plan, const Results& results) {
   return {{"config.yaml", plan.config_yaml},
           {"runs.csv", runs_csv(results)},
           {"summary.csv", summary_csv(results)},
           {"claims.csv", claims_csv(results)},
           {"cost.csv", cost_csv(results)}};
+}
+
+// Pictures that an older result of the folder has and this one does not plan.
+void remove_old_figures(const std::string& folder, const Results& planned) {
+  const std::string config = folder + "/config.yaml";
+  if (!fs::exists(config)) return;
+  std::vector<PlotSpec> old;
+  try {
+    old = load_planned(config).plots;
+  } catch (const InputError&) {
+    return;  // of another program: nothing here is known to be ours
+  }
+  for (const PlotSpec& plot : old) {
+    const bool stays = std::any_of(planned.plots.begin(), planned.plots.end(),
+                                   [&](const PlotSpec& p) { return p.file == plot.file; });
+    if (stays) continue;
+    for (const char* kind : {".svg", ".csv"}) fs::remove(folder + "/figures/" + plot.file + kind);
+  }
+}
+
+// A finished result of these very runs and this program, with the words, plots and claims of now.
+ScenarioRun finished_run(const ScenarioPlan& plan, const std::string& folder) {
+  ScenarioRun run{.results = plan.results, .complete = true};
+  Results found = load_results(folder);
+  run.results.runs = std::move(found.runs);
+  run.results.costs = std::move(found.costs);
+  run.done_before = static_cast<int>(run.results.runs.size());
+  conclude(plan, run.results);
+  remove_old_figures(folder, plan.results);
+  for (const ResultFile& table : tables_of(plan, run.results)) {
+    if (table.path != "cost.csv") write_file(folder + "/" + table.path, table.content);
+  }
+  fs::remove_all(fs::path(folder) / "runs");
+  return run;
 }
 
 }  // namespace
@@ -180,7 +206,7 @@ ScenarioRun run_scenario(
     const std::function<bool(std::size_t done, std::size_t total)>& may_go_on) {
   const Clock::time_point start = Clock::now();
   const FolderLock lock(options.folder);
-  const std::string identity = sha256(plan.config_yaml) + sha256_of_program();
+  const std::string identity = sha256(identity_text(plan)) + sha256_of_program();
   if (!options.restart && finished_identity(options.folder) == identity) {
     return finished_run(plan, options.folder);
   }
@@ -212,6 +238,7 @@ ScenarioRun run_scenario(
   conclude(plan, run.results);
   Provenance provenance = provenance_of(plan, options, run);
   provenance.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  remove_old_figures(options.folder, plan.results);
   workshop.finish(tables_of(plan, run.results), to_json(provenance));
   return run;
 }

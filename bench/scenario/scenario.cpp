@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/check.h"
+#include "bench/scenario/plot_spec.h"
 #include "core/config/config_node.h"
 #include "core/config/suggestion.h"
 #include "core/data_path.h"
@@ -226,34 +226,6 @@ SweepAxis axis_of(const std::string& path, std::vector<std::string> texts) {
     axis.numbers.push_back(number);
   }
   return axis;
-}
-
-PlotSpec plot_of(const ConfigNode& node) {
-  PlotSpec plot;
-  const auto read = [&node](const char* key, std::string& text) {
-    if (const ConfigNode* found = node.find(key)) text = found->text();
-  };
-  plot.y = node.at("y").text();
-  plot.file = plot.y;
-  read("file", plot.file);
-  read("title", plot.title);
-  read("x", plot.x);
-  read("lines_by", plot.lines_by);
-  read("x_label", plot.x_label);
-  read("y_label", plot.y_label);
-  read("thesis", plot.thesis);
-  if (plot.x.empty()) plot.kind = PlotKind::bars;
-  if (const ConfigNode* kind = node.find("kind")) {
-    plot.kind = static_cast<PlotKind>(kind->choice({"lines", "bars", "points"}));
-  }
-  if (const ConfigNode* variants = node.find("variants")) plot.variants = variants->texts();
-  if (const ConfigNode* log_x = node.find("log_x")) plot.log_x = log_x->flag();
-  if (const ConfigNode* log_y = node.find("log_y")) plot.log_y = log_y->flag();
-  if (plot.file.find_first_of("/\\ ") != std::string::npos) {
-    throw InputError(node.place(), in_quotes(plot.file) + " is no name for a picture",
-                     "use letters, digits and '_'");
-  }
-  return plot;
 }
 
 std::vector<Level> levels_of(const std::vector<SweepAxis>& axes) {

@@ -76,9 +76,6 @@ std::vector<Level> levels_of(const std::vector<SweepAxis>& axes);
 // An axis of these values; with their numbers where they are numbers of one unit.
 SweepAxis axis_of(const std::string& path, std::vector<std::string> texts);
 
-// An entry of `plots`.
-PlotSpec plot_of(const ConfigNode& node);
-
 // What differs from the defaults in the runs of a level and variant; the later of two wins.
 Settings settings_of(const Scenario& scenario, const Level& level, const Variant& variant);
 
