@@ -77,6 +77,7 @@ void GridSlam::add_scan(const LaserScan& scan) {
   const Pose2 carried =
       track_from_robot_ * odometry_since(odometry_at_matched_scan_).value_or(Pose2{});
   Pose2 track = carried;
+  Pose2 seen = carried;  // with the help of this scan
   const bool matching = options_.proposal != Proposal::odometry;
   const bool carried_far =
       !first && is_due(motion_between(updates_.back().track_from_robot, carried));
@@ -84,7 +85,9 @@ void GridSlam::add_scan(const LaserScan& scan) {
                         (condensed_scans_ > 0 || options_.proposal == Proposal::scan_matching);
   if (matching && !withheld) {
     matcher_.add(scan);
-    track = matcher_.pose();
+    track = seen = matcher_.pose();
+  } else if (withheld && options_.proposal == Proposal::improved) {
+    seen = matcher_.match(scan).map_from_robot;
   }
   if (!withheld) {
     track_from_robot_ = track;
@@ -94,10 +97,15 @@ void GridSlam::add_scan(const LaserScan& scan) {
   const Pose2 motion = first ? Pose2{} : motion_between(updates_.back().track_from_robot, track);
   const bool due = first || is_due(motion);
   if (due) {
-    updates_.push_back({.time = scan.time, .track_from_robot = track, .condensed = withheld});
+    const Pose2 guess = first ? Pose2{} : motion_between(updates_.back().seen_from_robot, seen);
+    updates_.push_back({.time = scan.time,
+                        .track_from_robot = track,
+                        .seen_from_robot = seen,
+                        .condensed = withheld});
     // The motion is free of this scan where it was withheld from the matcher; else odometry alone
     // is.
-    update(scan, motion, withheld ? std::optional<Pose2>{} : odometry_since(odometry_at_update_));
+    update(scan, motion, withheld ? std::optional<Pose2>{} : odometry_since(odometry_at_update_),
+           guess);
     odometry_at_update_ = odometry;
     condensed_scans_ = 0;
   } else {
@@ -107,7 +115,7 @@ void GridSlam::add_scan(const LaserScan& scan) {
 }
 
 void GridSlam::update(const LaserScan& scan, const Pose2& motion,
-                      const std::optional<Pose2>& odometry_motion) {
+                      const std::optional<Pose2>& odometry_motion, const Pose2& guess) {
   const ScanForWeighting prepared_scan = prepared(scan, options_);
   const std::size_t number = updates_.size() - 1;
   const bool first = particles_.empty();
@@ -125,7 +133,7 @@ void GridSlam::update(const LaserScan& scan, const Pose2& motion,
   }
   tbb::parallel_for(std::size_t{0}, particles_.size(), [&](std::size_t i) {
     Rng own = rng_.stream("particle", i, number);
-    move_and_weight(particles_[i], prepared_scan, motion, odometry_motion, own);
+    move_and_weight(particles_[i], prepared_scan, motion, odometry_motion, guess, own);
   });
   if (options_.best_only_after_loop && closes_loop(prepared_scan)) {
     keep_best_only(updates_.back());
@@ -141,7 +149,7 @@ void GridSlam::update(const LaserScan& scan, const Pose2& motion,
 
 void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
                                const Pose2& motion, const std::optional<Pose2>& odometry_motion,
-                               Rng& rng) const {
+                               const Pose2& guess, Rng& rng) const {
   switch (options_.proposal) {
     case Proposal::odometry:
     case Proposal::scan_matching: {
@@ -153,7 +161,7 @@ void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
       return;
     }
     case Proposal::improved: {
-      const Pose2 start = particle.pose * motion;
+      const Pose2 start = particle.pose * guess;
       const PosePrior prior =
           odometry_motion
               ? gaussian_after(particle.pose, *odometry_motion, options_.odometry_errors)

@@ -77,10 +77,10 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
 // the log gets a pose: those between updates hang between the updates about them as scan matching
 // saw them.
 //
-// No measurement is used twice: the matcher does not see the scans that weight. Where scans are so
-// far apart that each one weights, there is nothing to condense: then Proposal::improved lets the
-// matcher see them, but takes from it only where the search for each particle's optimum starts, and
-// the prior of the motion is that of odometry.
+// No measurement is used twice: the matcher does not remember the scans that weight. Where scans
+// are so far apart that each one weights, there is nothing to condense: then Proposal::improved
+// lets the matcher see them, and the prior of the motion is that of odometry. From a match of the
+// update's own scan it takes only where the search for each particle's optimum starts.
 //
 // With best_only_after_loop it is the maximum-likelihood continuation of section 5.4.2, the earlier
 // way to close loops: a posterior over poses in a single map. The paths that were possible up to a
@@ -118,6 +118,7 @@ class GridSlam : public Estimator {
   struct Update {
     double time = 0.0;
     Pose2 track_from_robot;
+    Pose2 seen_from_robot;  // the same with the help of the update's scan
     bool condensed = false;
     double effective_number = 0.0;
     bool resampled = false;
@@ -125,9 +126,10 @@ class GridSlam : public Estimator {
 
   void add_scan(const LaserScan& scan);
   void update(const LaserScan& scan, const Pose2& motion,
-              const std::optional<Pose2>& odometry_motion);
+              const std::optional<Pose2>& odometry_motion, const Pose2& guess);
   void move_and_weight(Particle& particle, const ScanForWeighting& scan, const Pose2& motion,
-                       const std::optional<Pose2>& odometry_motion, Rng& rng) const;
+                       const std::optional<Pose2>& odometry_motion, const Pose2& guess,
+                       Rng& rng) const;
   void resample_where_needed(Update& update);
   bool closes_loop(const ScanForWeighting& scan);
   void keep_best_only(Update& update);

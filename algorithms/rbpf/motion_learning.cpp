@@ -1,5 +1,6 @@
 #include "algorithms/rbpf/motion_learning.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -16,32 +17,52 @@ constexpr double kLeastSpread = 1e-4;         // [m] or [rad]
 constexpr double kInside95 = 7.814727903;     // chi-squared with 3 degrees of freedom
 constexpr double kLogTwoPi = 1.837877066409;  // ln(2 pi)
 
-// Six spreads as logarithms, two biases.
-using Parameters = std::array<double, 8>;
+// The spreads as logarithms.
+using Parameters = std::array<double, 6>;
 
 Parameters parameters_of(const MotionModelOptions& m) {
-  Parameters p{m.turn_noise, m.turn_per_meter, m.way_per_meter, m.way_per_turn,
-               m.floor_turn, m.floor_way,      m.turn_bias,     m.way_bias};
-  for (std::size_t i = 0; i < 6; ++i) p[i] = std::log(std::max(p[i], kLeastSpread));
+  Parameters p{m.turn_noise,   m.turn_per_meter, m.way_per_meter,
+               m.way_per_turn, m.floor_turn,     m.floor_way};
+  for (double& spread : p) spread = std::log(std::max(spread, kLeastSpread));
   return p;
 }
 
-MotionModelOptions model_of(const Parameters& p) {
+MotionModelOptions model_of(const Parameters& p, const MotionModelOptions& biases) {
   return {.turn_noise = std::exp(p[0]),
           .turn_per_meter = std::exp(p[1]),
           .way_per_meter = std::exp(p[2]),
           .way_per_turn = std::exp(p[3]),
           .floor_turn = std::exp(p[4]),
           .floor_way = std::exp(p[5]),
-          .turn_bias = p[6],
-          .way_bias = p[7]};
+          .turn_bias = biases.turn_bias,
+          .way_bias = biases.way_bias};
 }
 
 bool is_allowed(const Parameters& p) {
-  for (std::size_t i = 0; i < 6; ++i) {
-    if (p[i] < std::log(kLeastSpread) || p[i] > std::log(2.0)) return false;
+  return std::all_of(p.begin(), p.end(), [](double spread) {
+    return spread >= std::log(kLeastSpread) && spread <= std::log(2.0);
+  });
+}
+
+// Of actual = (1 - bias) measured, where the measured one has noise besides. Multiplied by the
+// actual one, with which the noise has nothing to do: a regression on the measured one would take
+// noise for bias.
+double bias_of(double actual_squared, double actual_by_measured) {
+  if (actual_by_measured <= 0.0) return 0.0;
+  return std::clamp(1.0 - actual_squared / actual_by_measured, -0.5, 0.5);
+}
+
+// Of turns and ways.
+MotionModelOptions biases_of(const std::vector<MotionSample>& samples) {
+  double turns = 0.0, turns_measured = 0.0, ways = 0.0, ways_measured = 0.0;
+  for (const MotionSample& sample : samples) {
+    const double way = decomposed(sample.reference).way;
+    turns += sample.reference.theta * sample.reference.theta;
+    turns_measured += sample.reference.theta * sample.measured.theta;
+    ways += way * way;
+    ways_measured += way * decomposed(sample.measured).way;
   }
-  return std::abs(p[6]) < 0.5 && std::abs(p[7]) < 0.5;
+  return {.turn_bias = bias_of(turns, turns_measured), .way_bias = bias_of(ways, ways_measured)};
 }
 
 Eigen::Vector3d vector_of(const Pose2& pose) {
@@ -70,17 +91,18 @@ double mean_log_likelihood(const std::vector<MotionSample>& samples,
 
 MotionModelOptions learned_motion_model(const std::vector<MotionSample>& samples,
                                         const MotionModelOptions& start) {
+  const MotionModelOptions biases = biases_of(samples);
   Parameters best = parameters_of(start);
-  double best_value = mean_log_likelihood(samples, model_of(best));
-  // Spreads change by a factor of e^step, biases by a twentieth of the step.
+  double best_value = mean_log_likelihood(samples, model_of(best, biases));
+  // A spread changes by a factor of e^step.
   for (double step = 1.0; step >= 0.01;) {
     const double before = best_value;
     for (std::size_t i = 0; i < best.size(); ++i) {
       for (const double side : {-1.0, 1.0}) {
         Parameters tried = best;
-        tried[i] += side * (i < 6 ? step : 0.05 * step);
+        tried[i] += side * step;
         if (!is_allowed(tried)) continue;
-        const double value = mean_log_likelihood(samples, model_of(tried));
+        const double value = mean_log_likelihood(samples, model_of(tried, biases));
         if (value <= best_value) continue;
         best = tried;
         best_value = value;
@@ -88,7 +110,7 @@ MotionModelOptions learned_motion_model(const std::vector<MotionSample>& samples
     }
     if (best_value - before < 1e-7) step /= 2;
   }
-  return model_of(best);
+  return model_of(best, biases);
 }
 
 Calibration calibration_of(const std::vector<MotionSample>& samples,

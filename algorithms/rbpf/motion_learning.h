@@ -19,8 +19,8 @@ struct MotionSample {
 double mean_log_likelihood(const std::vector<MotionSample>& samples,
                            const MotionModelOptions& model);
 
-// The parameters of greatest likelihood: a pattern search from `start` over the logarithms of the
-// spreads and over the biases, finer and finer. Finds a local maximum. A spread that the samples
+// The biases by regression, and with them the spreads of greatest likelihood: a pattern search from
+// `start` over their logarithms, finer and finer. Finds a local maximum. A spread that the samples
 // give no reason for ends at its least value (0.1 mm, 0.1 mrad).
 MotionModelOptions learned_motion_model(const std::vector<MotionSample>& samples,
                                         const MotionModelOptions& start = {});

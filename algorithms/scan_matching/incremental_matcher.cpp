@@ -26,21 +26,33 @@ Estimate IncrementalMatcher::estimate() const {
   return {.trajectory = trajectory_, .untrusted_scans = untrusted_scans_, .remarks = {}};
 }
 
+std::optional<Pose2> IncrementalMatcher::odometry_at(double time) const {
+  return options_.use_odometry ? odometry_.at(time) : std::optional<Pose2>{};
+}
+
+IncrementalMatcher::Prediction IncrementalMatcher::predicted(double time) const {
+  const std::optional<Pose2> odometry = odometry_at(time);
+  if (!odometry || !odometry_at_last_scan_) return {prediction(time), true};
+  return {predict(map_from_robot_, motion_between(*odometry_at_last_scan_, *odometry),
+                  options_.motion)};
+}
+
+ScanMatch IncrementalMatcher::match(const LaserScan& scan) {
+  if (trajectory_.empty()) return {.map_from_robot = map_from_robot_};
+  const auto [prior, blind] = predicted(scan.time);
+  ScanMatch match = aligned(hit_points(scan, options_.points), prior, blind);
+  if (!match.trustworthy) match.map_from_robot = prior.mean;
+  return match;
+}
+
 void IncrementalMatcher::add_scan(const LaserScan& scan) {
-  const std::optional<Pose2> odometry =
-      options_.use_odometry ? odometry_.at(scan.time) : std::optional<Pose2>{};
   if (!trajectory_.empty()) {
     CHECK(scan.time >= trajectory_.back().time);
-    const bool measured = odometry && odometry_at_last_scan_;
-    const PosePrior prior =
-        measured ? predict(map_from_robot_, motion_between(*odometry_at_last_scan_, *odometry),
-                           options_.motion)
-                 : prediction(scan.time);
-    last_match_ = aligned(hit_points(scan, options_.points), prior, !measured);
-    map_from_robot_ = last_match_.trustworthy ? last_match_.map_from_robot : prior.mean;
+    last_match_ = match(scan);
+    map_from_robot_ = last_match_.map_from_robot;
     if (!last_match_.trustworthy) ++untrusted_scans_;
   }
-  odometry_at_last_scan_ = odometry;
+  odometry_at_last_scan_ = odometry_at(scan.time);
   trajectory_.push_back({scan.time, map_from_robot_});
   remember(scan);
 }

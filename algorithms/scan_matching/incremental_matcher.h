@@ -66,11 +66,20 @@ class IncrementalMatcher : public Estimator {
   Pose2 pose() const override { return map_from_robot_; }
   Estimate estimate() const override;
 
+  // Where a scan would be put; it is not remembered.
+  ScanMatch match(const LaserScan& scan);
+
   // Of the newest scan; its pose is pose().
   const ScanMatch& last_match() const { return last_match_; }
 
  private:
+  struct Prediction {
+    PosePrior prior;
+    bool blind = false;  // without odometry
+  };
   void add_scan(const LaserScan& scan);
+  std::optional<Pose2> odometry_at(double time) const;
+  Prediction predicted(double time) const;
   PosePrior prediction(double time) const;
   ScanMatch aligned(const std::vector<Eigen::Vector2d>& points, const PosePrior& prior, bool blind);
   void remember(const LaserScan& scan);

@@ -49,6 +49,19 @@ TEST(IncrementalMatcher, StaysNearTheTruePathWhereOdometryDriftsAway) {
   EXPECT_LT(largest_error(log, run(log, {})), drift / 3.0);
 }
 
+TEST(IncrementalMatcher, MatchesAScanWithoutRememberingIt) {
+  const RecordedLog log = round_trip(5);
+  IncrementalMatcher plain, asked;
+  for (const Measurement& measurement : log.measurements) {
+    plain.add(measurement);
+    if (const auto* scan = std::get_if<LaserScan>(&measurement)) {
+      EXPECT_EQ(asked.match(*scan).map_from_robot, plain.pose());  // where add() puts it
+    }
+    asked.add(measurement);
+  }
+  EXPECT_EQ(plain.pose(), asked.pose());
+}
+
 TEST(IncrementalMatcher, WorksWithoutOdometry) {
   const RecordedLog log = round_trip(6);
   IncrementalMatcherOptions options;
