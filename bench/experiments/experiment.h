@@ -33,6 +33,9 @@ struct RunInput {
   bool shown = false;            // pictures of this run are wanted too
 };
 
+// Without what comes later than `longest` [s] after the log's start; 0: all of it.
+RunInput shortened(RunInput input, double longest);
+
 // A file of a run's own, "maps/raw.png".
 struct ResultFile {
   std::string path;

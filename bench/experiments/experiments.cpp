@@ -20,6 +20,13 @@ const std::vector<Experiment>& experiments() {
   return table;
 }
 
+RunInput shortened(RunInput input, double longest) {
+  if (longest <= 0.0 || input.log.empty()) return input;
+  const double end = time_of(input.log.front()) + longest;
+  std::erase_if(input.log, [end](const Measurement& m) { return time_of(m) > end; });
+  return input;
+}
+
 const Experiment& experiment_by_name(const std::string& name) {
   std::vector<std::string> names;
   for (const Experiment& experiment : experiments()) {

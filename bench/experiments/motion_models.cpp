@@ -1,6 +1,8 @@
 #include "bench/experiments/motion_models.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -18,10 +20,12 @@ constexpr std::size_t kLeastMotions = 40;  // a model of eight parameters needs 
 
 struct MotionModelsExperiment {
   int moves = 10;
-  int cloud = 2000;
+  int cloud = 1000;
   std::string odometry_file;
   std::string matching_file;
+  double longest = 0.0;  // [s]
   GridSlamOptions filter{.particles = 1, .proposal = Proposal::scan_matching};
+  GridSlamOptions reference;
 };
 
 template <class Visitor>
@@ -30,7 +34,19 @@ void visit_fields(MotionModelsExperiment& o, Visitor&& visit) {
   visit("cloud", o.cloud, at_least(10), "samples of a cloud");
   visit("odometry_file", o.odometry_file, "parameters of raw odometry that are checked as well");
   visit("matching_file", o.matching_file, "parameters of scan matching that are checked as well");
+  visit("longest", o.longest, Unit::second, kNotNegative,
+        "of the log, what comes later is left out; 0: all of it counts");
   visit("filter", o.filter, "how scans are matched and condensed; the particle filter's options");
+  visit("reference", o.reference,
+        "the particle filter whose path stands for the true one where nobody knows that");
+}
+
+// The true path; of a recorded log what the particle filter makes of it, as in section 5.3.
+Trajectory reference_of(const MotionModelsExperiment& options, const RunInput& input) {
+  if (!input.truth.empty()) return input.truth;
+  GridSlam filter(options.reference, input.rng.stream("reference"));
+  for (const Measurement& measurement : input.log) filter.add(measurement);
+  return filter.estimate().trajectory;
 }
 
 // The same motions, seen by odometry and by scan matching.
@@ -48,13 +64,14 @@ Motions motions_of(const MotionModelsExperiment& options, const RunInput& input)
       odometry.push_back({reading->time, reading->odometry_from_robot});
     }
   }
+  const Trajectory references = reference_of(options, input);
   const auto between = [](const Trajectory& path, const GridSlam::Motion& step) {
     const auto from = pose_at(path, step.from_time), to = pose_at(path, step.to_time);
     return from && to ? std::optional<Pose2>(motion_between(*from, *to)) : std::optional<Pose2>{};
   };
   Motions result;
   for (const GridSlam::Motion& step : filter.motions()) {
-    const auto reference = between(input.truth, step);
+    const auto reference = between(references, step);
     const auto by_odometry = between(odometry, step);
     // Only motions that do not know the scan at their end, as the particles get them.
     if (!step.condensed || !reference || !by_odometry) continue;
@@ -66,7 +83,7 @@ Motions motions_of(const MotionModelsExperiment& options, const RunInput& input)
     throw InputError({},
                      fmt::format("the log has {} motions with true poses, too few to learn from",
                                  result.odometry.size()),
-                     "take a longer one, simulated");
+                     "take a longer one");
   }
   return result;
 }
@@ -77,16 +94,15 @@ std::vector<MotionSample> part_of(const std::vector<MotionSample>& samples, bool
                     : std::vector<MotionSample>(middle, samples.end());
 }
 
-// Where the robot may be after each of the first moves of the held-out half.
+// Where the robot may be after each of some moves.
 using Clouds = std::vector<std::vector<Pose2>>;
 
-Clouds clouds_of(const std::vector<MotionSample>& held_out, const MotionModelOptions& model,
-                 const MotionModelsExperiment& options, Rng rng) {
+Clouds clouds_of(std::span<const MotionSample> moves, const MotionModelOptions& model, int samples,
+                 Rng rng) {
   Clouds clouds;
-  std::vector<Pose2> cloud(static_cast<std::size_t>(options.cloud));
-  for (int move = 0; move < options.moves; ++move) {
-    const Pose2& measured = held_out[static_cast<std::size_t>(move)].measured;
-    for (Pose2& pose : cloud) pose = pose * sampled_motion(measured, model, rng);
+  std::vector<Pose2> cloud(static_cast<std::size_t>(samples));
+  for (const MotionSample& move : moves) {
+    for (Pose2& pose : cloud) pose = pose * sampled_motion(move.measured, model, rng);
     clouds.push_back(cloud);
   }
   return clouds;
@@ -138,31 +154,30 @@ Series outline_of(const std::string& name, const Ellipse& ellipse, int like) {
   return series;
 }
 
-Series true_path(const std::vector<MotionSample>& held_out, int moves) {
+Series true_path(std::span<const MotionSample> moves) {
   Series series{.name = "true path", .x = {0.0}, .y = {0.0}};
   Pose2 pose;
-  for (int move = 0; move < moves; ++move) {
-    pose = pose * held_out[static_cast<std::size_t>(move)].reference;
+  for (const MotionSample& move : moves) {
+    pose = pose * move.reference;
     series.x.push_back(pose.x);
     series.y.push_back(pose.y);
   }
   return series;
 }
 
-std::vector<ResultFile> figure_of(const MotionModelsExperiment& options,
-                                  const std::vector<MotionSample>& held_out, const Clouds& odometry,
+std::vector<ResultFile> figure_of(std::span<const MotionSample> moves, const Clouds& odometry,
                                   const Clouds& matching) {
-  Plot plot{.title = fmt::format("Where the robot may be after each of {} moves", options.moves),
+  Plot plot{.title = fmt::format("Where the robot may be after each of {} moves", moves.size()),
             .subtitle =
-                "150 samples of each, by the models learned from the other half of the "
-                "drive; ellipses: 95 % after the last move; beside Figure 5.3",
+                "those of the median ratio of areas; 150 samples of each, by the models "
+                "learned from the other half of the drive; ellipses: 95 % after the last "
+                "move; beside Figure 5.3",
             .x = {"x, the robot looks along it at the start", "m"},
             .y = {"y", "m"},
             .equal_scales = true};
   plot.series = {dots_of("raw odometry", odometry), dots_of("scan matching", matching),
                  outline_of("", ellipse_of(odometry.back()), 0),
-                 outline_of("", ellipse_of(matching.back()), 1),
-                 true_path(held_out, options.moves)};
+                 outline_of("", ellipse_of(matching.back()), 1), true_path(moves)};
   return {{"figures/clouds.svg", svg_of(plot)}, {"figures/clouds.csv", csv_of(plot)}};
 }
 
@@ -187,10 +202,10 @@ void report_calibration(const std::string& name, const std::vector<MotionSample>
   outcome.values.emplace_back(name + "_inside", calibration.inside);
 }
 
-// Learns, checks on the held-out half, and gives the clouds.
-Clouds judge(const std::string& name, const std::vector<MotionSample>& samples,
-             const std::string& file, const MotionModelsExperiment& options, const RunInput& input,
-             RunOutcome& outcome) {
+// Learns, and checks on the held-out half.
+MotionModelOptions judged_model(const std::string& name, const std::vector<MotionSample>& samples,
+                                const std::string& file, const RunInput& input,
+                                RunOutcome& outcome) {
   const std::vector<MotionSample> held_out = part_of(samples, false);
   MotionModelOptions learned = learned_motion_model(part_of(samples, true));
   report_model(name, learned, outcome);
@@ -199,26 +214,60 @@ Clouds judge(const std::string& name, const std::vector<MotionSample>& samples,
   if (input.shown) {
     outcome.files.push_back({"learned/" + name + ".yaml", to_yaml(options_of(learned))});
   }
-  const Clouds clouds = clouds_of(held_out, learned, options, input.rng.stream(name));
-  outcome.values.emplace_back(name + "_cloud_area", ellipse_of(clouds.back()).area());
-  return clouds;
+  return learned;
 }
 
-RunOutcome run(const MotionModelsExperiment& options, const RunInput& input) {
+// Clouds of the same moves by both models.
+struct Comparison {
+  std::size_t first = 0;  // of the moves, in the held-out half
+  Clouds odometry, matching;
+
+  double odometry_area() const { return ellipse_of(odometry.back()).area(); }
+  double matching_area() const { return ellipse_of(matching.back()).area(); }
+  double ratio() const { return odometry_area() / matching_area(); }
+};
+
+// One after the other through the held-out half; the one of the median ratio.
+Comparison compared(const Motions& held_out, const MotionModelOptions& odometry,
+                    const MotionModelOptions& matching, const MotionModelsExperiment& options,
+                    const Rng& rng) {
+  const auto length = static_cast<std::size_t>(options.moves);
+  std::vector<Comparison> all;
+  for (std::size_t first = 0; first + length <= held_out.odometry.size(); first += length) {
+    const auto moves = [&](const std::vector<MotionSample>& samples) {
+      return std::span<const MotionSample>(samples).subspan(first, length);
+    };
+    all.push_back({first,
+                   clouds_of(moves(held_out.odometry), odometry, options.cloud,
+                             rng.stream("odometry cloud", first)),
+                   clouds_of(moves(held_out.matching), matching, options.cloud,
+                             rng.stream("matching cloud", first))});
+  }
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end(),
+                   [](const Comparison& a, const Comparison& b) { return a.ratio() < b.ratio(); });
+  return std::move(*middle);
+}
+
+RunOutcome run(const MotionModelsExperiment& options, const RunInput& whole_input) {
+  const RunInput input = shortened(whole_input, options.longest);
   const Motions motions = motions_of(options, input);
   RunOutcome outcome;
   outcome.values.emplace_back("motions", static_cast<double>(motions.odometry.size()));
-  const Clouds odometry =
-      judge("odometry", motions.odometry, options.odometry_file, options, input, outcome);
-  const Clouds matching =
-      judge("matching", motions.matching, options.matching_file, options, input, outcome);
-  outcome.values.emplace_back(
-      "cloud_ratio", ellipse_of(odometry.back()).area() / ellipse_of(matching.back()).area());
-  if (input.shown) {
-    for (ResultFile& file :
-         figure_of(options, part_of(motions.odometry, false), odometry, matching)) {
-      outcome.files.push_back(std::move(file));
-    }
+  const MotionModelOptions odometry =
+      judged_model("odometry", motions.odometry, options.odometry_file, input, outcome);
+  const MotionModelOptions matching =
+      judged_model("matching", motions.matching, options.matching_file, input, outcome);
+  const Motions held_out{part_of(motions.odometry, false), part_of(motions.matching, false)};
+  const Comparison typical = compared(held_out, odometry, matching, options, input.rng);
+  outcome.values.emplace_back("odometry_cloud_area", typical.odometry_area());
+  outcome.values.emplace_back("matching_cloud_area", typical.matching_area());
+  outcome.values.emplace_back("cloud_ratio", typical.ratio());
+  if (!input.shown) return outcome;
+  const auto moves = std::span<const MotionSample>(held_out.odometry)
+                         .subspan(typical.first, static_cast<std::size_t>(options.moves));
+  for (ResultFile& file : figure_of(moves, typical.odometry, typical.matching)) {
+    outcome.files.push_back(std::move(file));
   }
   return outcome;
 }
@@ -248,7 +297,8 @@ void add_metrics(const std::string& name, const std::string& what, std::vector<M
 Experiment motion_models_experiment() {
   std::vector<Metric> metrics{
       {"motions", Unit::none, "from update to update, of which a half was learned from"},
-      {"cloud_ratio", Unit::none, "area of odometry's cloud by that of scan matching's"}};
+      {"cloud_ratio", Unit::none,
+       "area of odometry's cloud by that of scan matching's, median over the held-out half"}};
   add_metrics("odometry", "raw odometry", metrics);
   add_metrics("matching", "scan matching", metrics);
   return make_experiment<MotionModelsExperiment>(

@@ -94,14 +94,6 @@ ResultFile replay_file(const RunInput& input, const std::string& estimator,
   return {"replays/run.json", replay_json(replay)};
 }
 
-// Without what comes later than `longest` [s] after the start; 0: all of it.
-RunInput shortened(RunInput input, double longest) {
-  if (longest <= 0.0 || input.log.empty()) return input;
-  const double end = time_of(input.log.front()) + longest;
-  std::erase_if(input.log, [end](const Measurement& m) { return time_of(m) > end; });
-  return input;
-}
-
 // Adds the log, and where the run is shown takes pictures of the particles on the way.
 std::vector<ResultFile> add_log(const SlamOptions& options, const RunInput& input,
                                 Estimator& estimator) {
