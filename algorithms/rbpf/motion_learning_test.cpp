@@ -111,6 +111,12 @@ TEST(MotionLearning, AModelThatIsTooSureIsFoundOut) {
   EXPECT_LT(calibration.inside, 0.8);
 }
 
+TEST(MotionModelFile, AllAreRead) {
+  const std::vector<std::string> names = data_names("algorithms/rbpf/motion_models");
+  EXPECT_FALSE(names.empty());
+  for (const std::string& name : names) EXPECT_NO_THROW(load_motion_model(name)) << name;
+}
+
 TEST(MotionModelFile, AnUnknownNameIsAnError) {
   EXPECT_THAT([] { load_motion_model("pioneer_odometri"); },
               ::testing::ThrowsMessage<InputError>(
