@@ -12,41 +12,10 @@
 #include "core/geometry/angle.h"
 
 namespace mapbed {
-namespace {
-
-constexpr double kMaxGap =
-    0.2;  // [m] neighbouring end points that are nearer belong to one surface
-
-ScanForWeighting prepared(const LaserScan& scan, const GridSlamOptions& options) {
-  ScanForWeighting result;
-  result.hits = hit_points(scan, options.points);
-  result.surface =
-      surface_points(scan, options.points.max_range, kMaxGap, 0.5 * options.map_resolution);
-  const double end = scan.max_range - options.likelihood.free_before_end;
-  if (scan.max_range > options.likelihood.no_return_range || end <= 0.0) return result;
-  const std::size_t every = std::max<std::size_t>(
-      1, scan.ranges.size() / static_cast<std::size_t>(options.points.max_points));
-  for (std::size_t beam = 0; beam < scan.ranges.size(); beam += every) {
-    if (!scan.is_max_range(beam)) continue;
-    const double bearing = scan.bearing(beam);
-    result.free.push_back(scan.robot_from_laser *
-                          Eigen::Vector2d(end * std::cos(bearing), end * std::sin(bearing)));
-  }
-  return result;
-}
-
-// A pose drawn from the Gaussian about the mode.
-Pose2 drawn_from(const LocalPosterior& posterior, Rng& rng) {
-  const Eigen::Matrix3d root = posterior.covariance.llt().matrixL();
-  const Eigen::Vector3d e = root * Eigen::Vector3d(rng.normal(), rng.normal(), rng.normal());
-  return posterior.mode * Pose2{e.x(), e.y(), normalized_angle(e.z())};
-}
-
-}  // namespace
-
 GridSlam::GridSlam(const GridSlamOptions& options, Rng rng)
     : options_(options),
       rng_(rng),
+      likelihood_(options.likelihood),
       matcher_(options.matcher),
       loop_detector_(options.loop_closing) {
   CHECK(options.particles > 0);
@@ -116,7 +85,9 @@ void GridSlam::add_scan(const LaserScan& scan) {
 
 void GridSlam::update(const LaserScan& scan, const Pose2& motion,
                       const std::optional<Pose2>& odometry_motion, const Pose2& guess) {
-  const ScanForWeighting prepared_scan = prepared(scan, options_);
+  weighting_scans_.push_back(
+      scan_for_weighting(scan, options_.points, options_.likelihood, options_.map_resolution));
+  const ScanForWeighting& prepared_scan = weighting_scans_.back();
   const std::size_t number = updates_.size() - 1;
   const bool first = particles_.empty();
   if (first) {
@@ -157,7 +128,7 @@ void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
       particle.pose =
           particle.pose *
           sampled_motion(motion, raw ? options_.odometry_errors : options_.matching_errors, rng);
-      particle.log_weight += log_likelihood(scan, particle.map, particle.pose, options_.likelihood);
+      particle.log_weight += likelihood_.log_likelihood(scan, particle.map, particle.pose);
       return;
     }
     case Proposal::improved: {
@@ -167,8 +138,12 @@ void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
               ? gaussian_after(particle.pose, *odometry_motion, options_.odometry_errors)
               : gaussian_after(particle.pose, motion, options_.matching_errors);
       const LocalPosterior posterior =
-          local_posterior(start, scan, particle.map, prior, options_.likelihood);
-      particle.pose = drawn_from(posterior, rng);
+          likelihood_.local_posterior(start, scan, particle.map, prior);
+      const double fresh = std::sqrt(1.0 - options_.error_memory * options_.error_memory);
+      particle.error = options_.error_memory * particle.error +
+                       fresh * Eigen::Vector3d(rng.normal(), rng.normal(), rng.normal());
+      const Eigen::Vector3d off = posterior.covariance.llt().matrixL() * particle.error;
+      particle.pose = posterior.mode * Pose2{off.x(), off.y(), normalized_angle(off.z())};
       particle.log_weight += posterior.log_evidence;
       return;
     }
@@ -206,8 +181,8 @@ bool GridSlam::closes_loop(const ScanForWeighting& scan) {
   const Particle& particle = best();
   std::vector<Pose2> path = path_of(particle);
   path.push_back(particle.pose);
-  return loop_detector_.closes(
-      path, explained_share(scan, particle.map, particle.pose, options_.likelihood));
+  return loop_detector_.closes(path,
+                               likelihood_.explained_share(scan, particle.map, particle.pose));
 }
 
 void GridSlam::keep_best_only(Update& update) {
@@ -255,6 +230,22 @@ std::vector<Pose2> GridSlam::path_of(const Particle& particle) const {
   return path;
 }
 
+// The same, without what drawing added.
+std::vector<Pose2> GridSlam::settled_path(const Particle& particle) const {
+  const std::vector<Pose2> poses = path_of(particle);
+  std::vector<PathStep> path;
+  path.reserve(poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Pose2 motion =
+        i == 0 ? Pose2{}
+               : motion_between(updates_[i - 1].seen_from_robot, updates_[i].seen_from_robot);
+    path.push_back({poses[i], motion, &weighting_scans_[i]});
+  }
+  const bool raw = options_.proposal == Proposal::odometry;
+  return settled(std::move(path), raw ? options_.odometry_errors : options_.matching_errors,
+                 options_.settling);
+}
+
 std::vector<GridSlam::Motion> GridSlam::motions() const {
   std::vector<Motion> result;
   for (std::size_t i = 1; i < updates_.size(); ++i) {
@@ -285,7 +276,7 @@ Hypotheses GridSlam::hypotheses() const {
 
 Estimate GridSlam::estimate() const {
   if (particles_.empty()) return {};
-  const std::vector<Pose2> update_poses = path_of(best());
+  const std::vector<Pose2> update_poses = settled_path(best());
   Estimate result;
   result.trajectory.reserve(scans_.size());
   for (const SeenScan& scan : scans_) {

@@ -11,6 +11,7 @@
 #include "algorithms/rbpf/loop_closing.h"
 #include "algorithms/rbpf/motion_model.h"
 #include "algorithms/rbpf/resampling.h"
+#include "algorithms/rbpf/settling.h"
 #include "algorithms/rbpf/surface_likelihood.h"
 #include "algorithms/rbpf/surface_map.h"
 #include "algorithms/scan_matching/hit_points.h"
@@ -32,6 +33,10 @@ struct GridSlamOptions {
   Proposal proposal = Proposal::improved;
   double update_distance = 0.5;  // [m] of motion between updates
   double update_turn = 0.4;      // [rad] of turn between updates
+  // How much of a draw's error the next one repeats: both scans were matched with nearly the same
+  // piece of the map, so they err alike. Independent errors would average out in the map, and the
+  // particles stay closer together than scan matching drifts.
+  double error_memory = 0.9;
   Resampling resampling = Resampling::selective;
   double resample_below = 0.5;  // effective number, as a share of the particles
   double map_resolution = 0.1;  // [m] of the particles' maps
@@ -47,6 +52,7 @@ struct GridSlamOptions {
   IncrementalMatcherOptions matcher;
   bool best_only_after_loop = false;
   LoopClosingOptions loop_closing;
+  SettlingOptions settling;
 };
 
 template <class Visitor>
@@ -56,6 +62,8 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
         "where the particles of an update are drawn from");
   visit("update_distance", o.update_distance, Unit::meter, kNotNegative, "motion between updates");
   visit("update_turn", o.update_turn, Unit::radian, kNotNegative, "turn between updates");
+  visit("error_memory", o.error_memory, between(0.0, 0.99),
+        "how much of a draw's error the next one repeats, with the improved proposal");
   visit("resampling", o.resampling, {"never", "always", "selective"},
         "when particles are drawn anew");
   visit("resample_below", o.resample_below, kShare,
@@ -69,6 +77,7 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
   visit("best_only_after_loop", o.best_only_after_loop,
         "go on with the best particle alone where a loop is closed");
   visit("loop_closing", o.loop_closing, "when a loop is closed, for best_only_after_loop");
+  visit("settling", o.settling, "what the drawing of particles left in the estimated path");
 }
 
 // Rao-Blackwellised particle filter, chapter 5: each particle is a path and the map built along it.
@@ -107,6 +116,7 @@ class GridSlam : public Estimator {
   struct Particle {
     Pose2 pose;  // map_from_robot at the last update
     double log_weight = 0.0;
+    Eigen::Vector3d error = Eigen::Vector3d::Zero();  // of the last draw, in units of its spread
     SurfaceMap map;
     std::shared_ptr<HistoryNode> history;
   };
@@ -135,16 +145,19 @@ class GridSlam : public Estimator {
   void keep_best_only(Update& update);
   const Particle& best() const;
   std::vector<Pose2> path_of(const Particle& particle) const;
+  std::vector<Pose2> settled_path(const Particle& particle) const;
   std::vector<Diversity> diversity() const;
   Pose2 pose_of(const SeenScan& scan, const std::vector<Pose2>& update_poses) const;
 
   GridSlamOptions options_;
   Rng rng_;
+  SurfaceLikelihood likelihood_;
   OdometryTrack odometry_;
   IncrementalMatcher matcher_;
   std::vector<Particle> particles_;
   std::vector<SeenScan> scans_;
   std::vector<Update> updates_;
+  std::vector<ScanForWeighting> weighting_scans_;  // of the updates
   std::optional<Pose2> odometry_at_update_;
   std::optional<Pose2> odometry_at_matched_scan_;
   Pose2 track_from_robot_;

@@ -1,96 +1,207 @@
 #include "algorithms/rbpf/surface_likelihood.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Dense>
 
+#include "algorithms/rbpf/surface_map_reader.h"
 #include "core/geometry/angle.h"
 
 namespace mapbed {
 namespace {
 
+constexpr double kMaxGap = 0.2;  // [m] neighbouring hits that are nearer belong to one surface
 constexpr int kIterations = 4;
-constexpr double kAlong = 0.1;  // of a distance along a mapped line that counts, as in the field
+constexpr double kConverged = 2e-3;  // [m], [rad] the step after that is far smaller still
+constexpr float kAlong = 0.1F;  // of a distance along a mapped line that counts, as in the field
+constexpr float kMinAgreement = 0.5F;  // of the directions that make a line, as in tangent_of
+constexpr int kLevels = 512;
+constexpr double kReach = 4.0;  // [sigma] beyond, the Gaussian counts for nothing
 
-double squared_distance(const SurfaceMap::Nearest& nearest) {
-  const double along = nearest.off.dot(nearest.along);
-  return nearest.off.squaredNorm() - (1.0 - kAlong * kAlong) * along * along;
+// The projection on the line of a mapped point, (I + [x y; y -x]) / 2 with (x, y) = (cos 2a, sin
+// 2a); nothing where it has no line.
+struct Projection {
+  float half = 0.0F;         // 1/2, or 0
+  float x = 0.0F, y = 0.0F;  // times 1/2
+
+  explicit Projection(const SurfaceMap::Nearest& nearest) {
+    const float squared =
+        nearest.doubled_x * nearest.doubled_x + nearest.doubled_y * nearest.doubled_y;
+    if (squared < kMinAgreement * kMinAgreement) return;
+    half = 0.5F;
+    const float scale = 0.5F / std::sqrt(squared);
+    x = scale * nearest.doubled_x;
+    y = scale * nearest.doubled_y;
+  }
+};
+
+// Of a point to the mapped surface [m^2].
+float squared_distance(const SurfaceMap::Nearest& nearest, const Projection& along) {
+  const float xx = nearest.off_x * nearest.off_x, yy = nearest.off_y * nearest.off_y;
+  const float squared_along =
+      along.half * (xx + yy) + along.x * (xx - yy) + 2.0F * along.y * nearest.off_x * nearest.off_y;
+  return xx + yy - (1.0F - kAlong * kAlong) * squared_along;
 }
 
 }  // namespace
 
-double log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
-                      const Pose2& map_from_robot, const SurfaceLikelihoodOptions& options) {
-  const double floor = std::log1p(-options.hit_share);
-  const double scale = -0.5 / (options.sigma * options.sigma);
+ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions& points,
+                                    const SurfaceLikelihoodOptions& options,
+                                    double map_resolution) {
+  ScanForWeighting result;
+  result.hits = hit_points(scan, points);
+  result.surface = surface_points(scan, points.max_range, kMaxGap, 0.5 * map_resolution);
+  const double end = scan.max_range - options.free_before_end;
+  if (scan.max_range > options.no_return_range || end <= 0.0) return result;
+  const std::size_t every =
+      std::max<std::size_t>(1, scan.ranges.size() / static_cast<std::size_t>(points.max_points));
+  for (std::size_t beam = 0; beam < scan.ranges.size(); beam += every) {
+    if (!scan.is_max_range(beam)) continue;
+    const double bearing = scan.bearing(beam);
+    result.free.push_back(scan.robot_from_laser *
+                          Eigen::Vector2d(end * std::cos(bearing), end * std::sin(bearing)));
+  }
+  return result;
+}
+
+SurfaceLikelihood::SurfaceLikelihood(const SurfaceLikelihoodOptions& options)
+    : options_(options), floor_(std::log1p(-options.hit_share)), levels_(kLevels + 1) {
+  const double reach = kReach * options.sigma;
+  levels_per_square_ = static_cast<float>(kLevels / (reach * reach));
+  for (int i = 0; i <= kLevels; ++i) {
+    const double squared_sigmas = kReach * kReach * i / kLevels;
+    const double gauss = options.hit_share * std::exp(-0.5 * squared_sigmas);
+    const double mixture = gauss + 1.0 - options.hit_share;
+    levels_[static_cast<std::size_t>(i)] = {static_cast<float>(std::log(mixture)),
+                                            static_cast<float>(gauss / mixture)};
+  }
+}
+
+inline SurfaceLikelihood::Level SurfaceLikelihood::level_at(float squared_distance) const {
+  const float at = squared_distance * levels_per_square_;
+  if (!(at < static_cast<float>(kLevels))) return {static_cast<float>(floor_), 0.0F};
+  const int index = static_cast<int>(at);
+  const float rest = at - static_cast<float>(index);
+  const Level& low = levels_[static_cast<std::size_t>(index)];
+  const Level& high = levels_[static_cast<std::size_t>(index) + 1];
+  return {low.log + rest * (high.log - low.log), low.share + rest * (high.share - low.share)};
+}
+
+double SurfaceLikelihood::sum_of_free(const std::vector<Eigen::Vector2d>& free,
+                                      const SurfaceMap& map, const Pose2& map_from_robot) const {
+  const auto reach = static_cast<float>(map.resolution() * map.resolution());
+  SurfaceMap::Reader reader(map);
   double sum = 0.0;
-  for (const Eigen::Vector2d& hit : scan.hits) {
-    const SurfaceMap::Nearest nearest = map.nearest(map_from_robot * hit);
-    sum += nearest.found
-               ? std::log(options.hit_share * std::exp(scale * squared_distance(nearest)) + 1.0 -
-                          options.hit_share)
-               : floor;
+  for (const Eigen::Vector2d& point : free) {
+    const Eigen::Vector2d at = map_from_robot * point;
+    const SurfaceMap::Nearest nearest = reader.nearest(at.x(), at.y());
+    const float squared = nearest.off_x * nearest.off_x + nearest.off_y * nearest.off_y;
+    if (nearest.found && squared < reach) sum += floor_;
   }
-  for (const Eigen::Vector2d& point : scan.free) {
-    const SurfaceMap::Nearest nearest = map.nearest(map_from_robot * point);
-    if (nearest.found && nearest.off.squaredNorm() < map.resolution() * map.resolution())
-      sum += floor;
-  }
-  return options.beam_weight * sum;
+  return sum;
 }
 
-double explained_share(const ScanForWeighting& scan, const SurfaceMap& map,
-                       const Pose2& map_from_robot, const SurfaceLikelihoodOptions& options) {
+double SurfaceLikelihood::sum_of_hits(const std::vector<Eigen::Vector2d>& hits,
+                                      const SurfaceMap& map, const Pose2& map_from_robot) const {
+  const double c = std::cos(map_from_robot.theta), s = std::sin(map_from_robot.theta);
+  SurfaceMap::Reader reader(map);
+  double sum = 0.0;
+  for (const Eigen::Vector2d& hit : hits) {
+    const SurfaceMap::Nearest nearest = reader.nearest(
+        map_from_robot.x + c * hit.x() - s * hit.y(), map_from_robot.y + s * hit.x() + c * hit.y());
+    sum += nearest.found ? double{level_at(squared_distance(nearest, Projection(nearest))).log}
+                         : floor_;
+  }
+  return sum;
+}
+
+double SurfaceLikelihood::log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
+                                         const Pose2& map_from_robot) const {
+  return options_.beam_weight * (sum_of_hits(scan.hits, map, map_from_robot) +
+                                 sum_of_free(scan.free, map, map_from_robot));
+}
+
+double SurfaceLikelihood::explained_share(const ScanForWeighting& scan, const SurfaceMap& map,
+                                          const Pose2& map_from_robot) const {
   if (scan.hits.empty()) return 0.0;
-  const double worst =
-      options.beam_weight * static_cast<double>(scan.hits.size()) * std::log1p(-options.hit_share);
-  return 1.0 - log_likelihood({.hits = scan.hits}, map, map_from_robot, options) / worst;
+  const double worst = static_cast<double>(scan.hits.size()) * floor_;
+  return 1.0 - sum_of_hits(scan.hits, map, map_from_robot) / worst;
 }
 
-LocalPosterior local_posterior(const Pose2& start, const ScanForWeighting& scan,
-                               const SurfaceMap& map, const PosePrior& prior,
-                               const SurfaceLikelihoodOptions& options) {
-  const double scale = -0.5 / (options.sigma * options.sigma);
+SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const std::vector<Eigen::Vector2d>& hits,
+                                                          const SurfaceMap& map,
+                                                          const Pose2& map_from_robot) const {
+  const double c = std::cos(map_from_robot.theta), s = std::sin(map_from_robot.theta);
+  SurfaceMap::Reader reader(map);
+  int found = 0;
+  double sum = 0.0, gx = 0.0, gy = 0.0, gt = 0.0;
+  double xx = 0.0, xy = 0.0, yy = 0.0, xt = 0.0, yt = 0.0, tt = 0.0;
+  for (const Eigen::Vector2d& hit : hits) {
+    const double dx = c * hit.x() - s * hit.y(), dy = s * hit.x() + c * hit.y();
+    const SurfaceMap::Nearest nearest =
+        reader.nearest(map_from_robot.x + dx, map_from_robot.y + dy);
+    if (!nearest.found) continue;
+    ++found;
+    const Projection along(nearest);
+    const Level level = level_at(squared_distance(nearest, along));
+    sum += double{level.log};
+    // Along its line a point may slide: it pulls across it only.
+    const double nxx = double{level.share * (1.0F - along.half - along.x)};
+    const double nxy = double{-level.share * along.y};
+    const double nyy = double{level.share * (1.0F - along.half + along.x)};
+    const double off_x = double{nearest.off_x}, off_y = double{nearest.off_y};
+    const double pull_x = nxx * off_x + nxy * off_y, pull_y = nxy * off_x + nyy * off_y;
+    // A turn moves the point by (-dy, dx).
+    const double mx = dx * nxy - dy * nxx, my = dx * nyy - dy * nxy;
+    gx -= pull_x;
+    gy -= pull_y;
+    gt -= dx * pull_y - dy * pull_x;
+    xx += nxx;
+    xy += nxy;
+    yy += nyy;
+    xt += mx;
+    yt += my;
+    tt += dx * my - dy * mx;
+  }
+  Slope slope;
+  slope.sum = sum + floor_ * (static_cast<double>(hits.size()) - found);
+  const double weight = 1.0 / (options_.sigma * options_.sigma);
+  slope.gradient = weight * Eigen::Vector3d(gx, gy, gt);
+  slope.information << xx, xy, xt, xy, yy, yt, xt, yt, tt;
+  slope.information *= weight;
+  return slope;
+}
+
+LocalPosterior SurfaceLikelihood::local_posterior(const Pose2& start, const ScanForWeighting& scan,
+                                                  const SurfaceMap& map,
+                                                  const PosePrior& prior) const {
   LocalPosterior result{.mode = start};
   Eigen::Matrix3d information = prior.information;
-  for (int i = 0; i < kIterations; ++i) {
-    const Pose2 off = motion_between(prior.mean, result.mode);
-    information = prior.information;
-    Eigen::Vector3d g = -prior.information * Eigen::Vector3d(off.x, off.y, off.theta);
+  double sum = 0.0;  // of the hits at the mode
+  bool converged = false;
+  for (int i = 0; i < kIterations && !converged; ++i) {
+    const Slope slope = slope_of_hits(scan.hits, map, result.mode);
+    Eigen::Matrix3d map_from_mode = Eigen::Matrix3d::Identity();  // of small steps
     const double c = std::cos(result.mode.theta), s = std::sin(result.mode.theta);
-    for (const Eigen::Vector2d& hit : scan.hits) {
-      const Eigen::Vector2d point(result.mode.x + c * hit.x() - s * hit.y(),
-                                  result.mode.y + s * hit.x() + c * hit.y());
-      const SurfaceMap::Nearest nearest = map.nearest(point);
-      if (!nearest.found) continue;
-      const double gauss = options.hit_share * std::exp(scale * squared_distance(nearest));
-      const double weight = options.proposal_weight * gauss / (gauss + 1.0 - options.hit_share) /
-                            (options.sigma * options.sigma);
-      // In the robot's frame: where the point wants to go, and how it moves with x, y and theta.
-      const auto pull = [&](const Eigen::Vector2d& normal_in_map, double residual) {
-        const double nx = c * normal_in_map.x() + s * normal_in_map.y();
-        const double ny = -s * normal_in_map.x() + c * normal_in_map.y();
-        const Eigen::Vector3d moves(nx, ny, hit.x() * ny - hit.y() * nx);
-        information.noalias() += weight * moves * moves.transpose();
-        g -= weight * residual * moves;
-      };
-      if (nearest.along.isZero()) {
-        pull({1.0, 0.0}, nearest.off.x());
-        pull({0.0, 1.0}, nearest.off.y());
-      } else {
-        const Eigen::Vector2d across(-nearest.along.y(), nearest.along.x());
-        pull(across, across.dot(nearest.off));
-      }
-    }
+    map_from_mode.topLeftCorner<2, 2>() << c, -s, s, c;
+    const Pose2 off = motion_between(prior.mean, result.mode);
+    const Eigen::Vector3d pull = map_from_mode.transpose() * slope.gradient;
+    const Eigen::Matrix3d of_scan = map_from_mode.transpose() * slope.information * map_from_mode;
+    information = prior.information + options_.proposal_weight * of_scan;
     information.diagonal().array() += 1e-6;
-    const Eigen::Vector3d step = information.ldlt().solve(g);
+    const Eigen::Vector3d step =
+        information.ldlt().solve(options_.proposal_weight * pull -
+                                 prior.information * Eigen::Vector3d(off.x, off.y, off.theta));
     result.mode = result.mode * Pose2{step.x(), step.y(), normalized_angle(step.z())};
-    if (step.cwiseAbs().maxCoeff() < 5e-4) break;
+    sum = slope.sum + step.dot(pull) - 0.5 * step.dot(of_scan * step);
+    converged = step.cwiseAbs().maxCoeff() < kConverged;
   }
+  if (!converged) sum = sum_of_hits(scan.hits, map, result.mode);
   result.covariance = information.inverse();
   result.log_evidence =
-      log_likelihood(scan, map, result.mode, options) +
-      options.beam_weight / options.proposal_weight *
+      options_.beam_weight * (sum + sum_of_free(scan.free, map, result.mode)) +
+      options_.beam_weight / options_.proposal_weight *
           (prior.log_at(result.mode) + 0.5 * std::log(result.covariance.determinant()));
   return result;
 }

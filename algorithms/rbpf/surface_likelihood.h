@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "algorithms/rbpf/surface_map.h"
+#include "algorithms/scan_matching/hit_points.h"
 #include "core/config/option.h"
 #include "core/geometry/pose_prior.h"
 #include "core/sensor/laser_scan.h"
@@ -42,14 +43,8 @@ struct ScanForWeighting {
   std::vector<Eigen::Vector2d> free;  // shortly before the ends of maximum-range beams
   std::vector<SurfacePoint> surface;  // what enters the map
 };
-
-// ln p(z | x, m) by end points, times beam_weight; 0 where all lies on the map.
-double log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
-                      const Pose2& map_from_robot, const SurfaceLikelihoodOptions& options);
-
-// 1: all end points lie on the map, 0: none does; by their mean log-likelihood. 0 without any.
-double explained_share(const ScanForWeighting& scan, const SurfaceMap& map,
-                       const Pose2& map_from_robot, const SurfaceLikelihoodOptions& options);
+ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions& points,
+                                    const SurfaceLikelihoodOptions& options, double map_resolution);
 
 // The optimum of ln p(z | x, m) + ln p(x) near a start, by Gauss-Newton, and the Gaussian about it.
 struct LocalPosterior {
@@ -57,8 +52,51 @@ struct LocalPosterior {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of (x, y, theta) in the mode's frame
   double log_evidence = 0.0;  // ln of the integral of p(z | x, m) p(x), up to a constant
 };
-LocalPosterior local_posterior(const Pose2& start, const ScanForWeighting& scan,
-                               const SurfaceMap& map, const PosePrior& prior,
-                               const SurfaceLikelihoodOptions& options);
+
+// ln p(z | x, m) by end points: of each, by its distance d to the mapped surface next to it,
+//
+//   ln(w exp(-d^2 / (2 sigma^2)) + 1 - w),   w = hit_share,
+//
+// and of each maximum-range beam ln(1 - w) where the map has something shortly before its end.
+class SurfaceLikelihood {
+ public:
+  explicit SurfaceLikelihood(const SurfaceLikelihoodOptions& options = {});
+
+  // Times beam_weight; 0 where all lies on the map.
+  double log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
+                        const Pose2& map_from_robot) const;
+
+  // 1: all end points lie on the map, 0: none does; by their mean log-likelihood. 0 without any.
+  double explained_share(const ScanForWeighting& scan, const SurfaceMap& map,
+                         const Pose2& map_from_robot) const;
+
+  LocalPosterior local_posterior(const Pose2& start, const ScanForWeighting& scan,
+                                 const SurfaceMap& map, const PosePrior& prior) const;
+
+ private:
+  struct Level {
+    float log;    // of the mixture
+    float share;  // of the Gaussian in it
+  };
+  Level level_at(float squared_distance) const;
+  // The same sum without the weight, and how it changes about the pose: its slope and minus its
+  // curvature (Gauss-Newton's) with steps of (x, y, theta), x and y along the axes of the map.
+  struct Slope {
+    double sum = 0.0;
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  };
+  Slope slope_of_hits(const std::vector<Eigen::Vector2d>& hits, const SurfaceMap& map,
+                      const Pose2& map_from_robot) const;
+  double sum_of_hits(const std::vector<Eigen::Vector2d>& hits, const SurfaceMap& map,
+                     const Pose2& map_from_robot) const;
+  double sum_of_free(const std::vector<Eigen::Vector2d>& free, const SurfaceMap& map,
+                     const Pose2& map_from_robot) const;
+
+  SurfaceLikelihoodOptions options_;
+  double floor_;               // ln(1 - w)
+  float levels_per_square_;    // squared distance [m^2] -> index into levels_
+  std::vector<Level> levels_;  // by squared distance, linear in between
+};
 
 }  // namespace mapbed

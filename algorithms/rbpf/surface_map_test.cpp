@@ -1,6 +1,7 @@
 #include "algorithms/rbpf/surface_map.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ TEST(SurfaceMap, FindsTheNearestPointInTheCellsAbout) {
     ++found;
     ASSERT_TRUE(nearest.found);
     // Points of one cell are averaged, so the mean may lie a cell's diagonal off.
-    EXPECT_NEAR(nearest.off.norm(), expected, 0.15);
+    EXPECT_NEAR(std::hypot(nearest.off_x, nearest.off_y), expected, 0.15);
   }
   EXPECT_GT(found, 100);
 }
