@@ -12,6 +12,30 @@
 #include "core/geometry/angle.h"
 
 namespace mapbed {
+namespace {
+
+// A belief about the end of a step from a pose that is itself uncertain, with the mean of `step`.
+PosePrior chained(const PosePrior& start, const PosePrior& step) {
+  const Pose2 motion = motion_between(start.mean, step.mean);
+  // How the end moves with the start, each in its own frame.
+  const double c = std::cos(motion.theta), s = std::sin(motion.theta);
+  Eigen::Matrix3d moves = Eigen::Matrix3d::Identity();
+  moves.topLeftCorner<2, 2>() << c, s, -s, c;
+  moves.topRightCorner<2, 1>() = moves.topLeftCorner<2, 2>() * Eigen::Vector2d(-motion.y, motion.x);
+  const Eigen::Matrix3d covariance = moves * start.information.inverse() * moves.transpose() +
+                                     Eigen::Matrix3d(step.information.inverse());
+  return {.mean = step.mean, .information = covariance.inverse()};
+}
+
+// A pose drawn from the Gaussian about the mode.
+Pose2 drawn_from(const LocalPosterior& posterior, Rng& rng) {
+  const Eigen::Matrix3d root = posterior.covariance.llt().matrixL();
+  const Eigen::Vector3d e = root * Eigen::Vector3d(rng.normal(), rng.normal(), rng.normal());
+  return posterior.mode * Pose2{e.x(), e.y(), normalized_angle(e.z())};
+}
+
+}  // namespace
+
 GridSlam::GridSlam(const GridSlamOptions& options, Rng rng)
     : options_(options),
       rng_(rng),
@@ -33,18 +57,20 @@ void GridSlam::add_scan(const LaserScan& scan) {
   const std::optional<Pose2> odometry =
       options_.matcher.use_odometry ? odometry_.at(scan.time) : std::optional<Pose2>{};
   const bool first = updates_.empty();
-  const auto odometry_since = [&](const std::optional<Pose2>& before) {
-    return before && odometry ? std::optional<Pose2>(motion_between(*before, *odometry))
-                              : std::optional<Pose2>{};
-  };
   const auto is_due = [&](const Pose2& motion) {
     return std::hypot(motion.x, motion.y) >= options_.update_distance ||
            std::abs(motion.theta) >= options_.update_turn;
   };
 
+  const auto odometry_since = [&](const std::optional<Pose2>& before) {
+    return before && odometry ? std::optional<Pose2>(motion_between(*before, *odometry))
+                              : std::optional<Pose2>{};
+  };
+
   // Where the robot is by odometry and scan matching alone.
-  const Pose2 carried =
-      track_from_robot_ * odometry_since(odometry_at_matched_scan_).value_or(Pose2{});
+  const Pose2 matched = track_from_robot_;  // at the last scan that was matched
+  const std::optional<Pose2> step = odometry_since(odometry_at_matched_scan_);
+  const Pose2 carried = matched * step.value_or(Pose2{});
   Pose2 track = carried;
   Pose2 seen = carried;  // with the help of this scan
   const bool matching = options_.proposal != Proposal::odometry;
@@ -58,33 +84,36 @@ void GridSlam::add_scan(const LaserScan& scan) {
   } else if (withheld && options_.proposal == Proposal::improved) {
     seen = matcher_.match(scan).map_from_robot;
   }
-  if (!withheld) {
-    track_from_robot_ = track;
-    odometry_at_matched_scan_ = odometry;
-  }
 
-  const Pose2 motion = first ? Pose2{} : motion_between(updates_.back().track_from_robot, track);
-  const bool due = first || is_due(motion);
-  if (due) {
-    const Pose2 guess = first ? Pose2{} : motion_between(updates_.back().seen_from_robot, seen);
+  if (first || is_due(motion_between(updates_.back().track_from_robot, track))) {
+    UpdateMotion motion;
+    if (!first) {
+      const Update& before = updates_.back();
+      const bool condensed = condensed_scans_ > 0;
+      motion = {.whole = motion_between(before.track_from_robot, track),
+                .condensed = condensed ? motion_between(before.track_from_robot, matched) : Pose2{},
+                .step = condensed ? step : odometry_since(odometry_at_update_),
+                .seconds = scan.time - scans_.back().time,
+                .guess = motion_between(before.seen_from_robot, seen)};
+    }
     updates_.push_back({.time = scan.time,
                         .track_from_robot = track,
                         .seen_from_robot = seen,
                         .condensed = withheld});
-    // The motion is free of this scan where it was withheld from the matcher; else odometry alone
-    // is.
-    update(scan, motion, withheld ? std::optional<Pose2>{} : odometry_since(odometry_at_update_),
-           guess);
+    update(scan, motion);
     odometry_at_update_ = odometry;
     condensed_scans_ = 0;
   } else {
     ++condensed_scans_;
   }
+  if (!withheld) {
+    track_from_robot_ = track;
+    odometry_at_matched_scan_ = odometry;
+  }
   scans_.push_back({scan.time, track, updates_.size()});
 }
 
-void GridSlam::update(const LaserScan& scan, const Pose2& motion,
-                      const std::optional<Pose2>& odometry_motion, const Pose2& guess) {
+void GridSlam::update(const LaserScan& scan, const UpdateMotion& motion) {
   weighting_scans_.push_back(
       scan_for_weighting(scan, options_.points, options_.likelihood, options_.map_resolution));
   const ScanForWeighting& prepared_scan = weighting_scans_.back();
@@ -104,7 +133,7 @@ void GridSlam::update(const LaserScan& scan, const Pose2& motion,
   }
   tbb::parallel_for(std::size_t{0}, particles_.size(), [&](std::size_t i) {
     Rng own = rng_.stream("particle", i, number);
-    move_and_weight(particles_[i], prepared_scan, motion, odometry_motion, guess, own);
+    move_and_weight(particles_[i], prepared_scan, motion, own);
   });
   if (options_.best_only_after_loop && closes_loop(prepared_scan)) {
     keep_best_only(updates_.back());
@@ -118,32 +147,36 @@ void GridSlam::update(const LaserScan& scan, const Pose2& motion,
   });
 }
 
+// Where a particle is before the update's scan is looked at: after the condensed motion, whose
+// errors are those of matching, and a step of odometry, or one of unknown speed.
+PosePrior GridSlam::prior_of(const Particle& particle, const UpdateMotion& motion) const {
+  const PosePrior condensed =
+      gaussian_after(particle.pose, motion.condensed, options_.matching_errors);
+  const PosePrior step =
+      motion.step ? gaussian_after(condensed.mean, *motion.step, options_.odometry_errors)
+                  : predict_blindly(condensed.mean, {}, motion.seconds, options_.matcher.motion);
+  return chained(condensed, step);
+}
+
 void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
-                               const Pose2& motion, const std::optional<Pose2>& odometry_motion,
-                               const Pose2& guess, Rng& rng) const {
+                               const UpdateMotion& motion, Rng& rng) const {
   switch (options_.proposal) {
     case Proposal::odometry:
     case Proposal::scan_matching: {
       const bool raw = options_.proposal == Proposal::odometry;
       particle.pose =
-          particle.pose *
-          sampled_motion(motion, raw ? options_.odometry_errors : options_.matching_errors, rng);
+          particle.pose * sampled_motion(motion.whole,
+                                         raw ? options_.odometry_errors : options_.matching_errors,
+                                         rng);
       particle.log_weight += likelihood_.log_likelihood(scan, particle.map, particle.pose);
       return;
     }
     case Proposal::improved: {
-      const Pose2 start = particle.pose * guess;
-      const PosePrior prior =
-          odometry_motion
-              ? gaussian_after(particle.pose, *odometry_motion, options_.odometry_errors)
-              : gaussian_after(particle.pose, motion, options_.matching_errors);
+      const Pose2 start = particle.pose * motion.guess;
+      const PosePrior prior = prior_of(particle, motion);
       const LocalPosterior posterior =
           likelihood_.local_posterior(start, scan, particle.map, prior);
-      const double fresh = std::sqrt(1.0 - options_.error_memory * options_.error_memory);
-      particle.error = options_.error_memory * particle.error +
-                       fresh * Eigen::Vector3d(rng.normal(), rng.normal(), rng.normal());
-      const Eigen::Vector3d off = posterior.covariance.llt().matrixL() * particle.error;
-      particle.pose = posterior.mode * Pose2{off.x(), off.y(), normalized_angle(off.z())};
+      particle.pose = drawn_from(posterior, rng);
       particle.log_weight += posterior.log_evidence;
       return;
     }

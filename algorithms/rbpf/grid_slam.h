@@ -33,10 +33,6 @@ struct GridSlamOptions {
   Proposal proposal = Proposal::improved;
   double update_distance = 0.5;  // [m] of motion between updates
   double update_turn = 0.4;      // [rad] of turn between updates
-  // How much of a draw's error the next one repeats: both scans were matched with nearly the same
-  // piece of the map, so they err alike. Independent errors would average out in the map, and the
-  // particles stay closer together than scan matching drifts.
-  double error_memory = 0.9;
   Resampling resampling = Resampling::selective;
   double resample_below = 0.5;  // effective number, as a share of the particles
   double map_resolution = 0.1;  // [m] of the particles' maps
@@ -62,8 +58,6 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
         "where the particles of an update are drawn from");
   visit("update_distance", o.update_distance, Unit::meter, kNotNegative, "motion between updates");
   visit("update_turn", o.update_turn, Unit::radian, kNotNegative, "turn between updates");
-  visit("error_memory", o.error_memory, between(0.0, 0.99),
-        "how much of a draw's error the next one repeats, with the improved proposal");
   visit("resampling", o.resampling, {"never", "always", "selective"},
         "when particles are drawn anew");
   visit("resample_below", o.resample_below, kShare,
@@ -116,7 +110,6 @@ class GridSlam : public Estimator {
   struct Particle {
     Pose2 pose;  // map_from_robot at the last update
     double log_weight = 0.0;
-    Eigen::Vector3d error = Eigen::Vector3d::Zero();  // of the last draw, in units of its spread
     SurfaceMap map;
     std::shared_ptr<HistoryNode> history;
   };
@@ -135,10 +128,17 @@ class GridSlam : public Estimator {
   };
 
   void add_scan(const LaserScan& scan);
-  void update(const LaserScan& scan, const Pose2& motion,
-              const std::optional<Pose2>& odometry_motion, const Pose2& guess);
-  void move_and_weight(Particle& particle, const ScanForWeighting& scan, const Pose2& motion,
-                       const std::optional<Pose2>& odometry_motion, const Pose2& guess,
+  // Of the robot from the last update to the one to be made.
+  struct UpdateMotion {
+    Pose2 whole;                // by odometry and scan matching
+    Pose2 condensed;            // up to the last scan that was matched before the update's
+    std::optional<Pose2> step;  // on from there, by odometry; none: there is none
+    double seconds = 0.0;       // of that step
+    Pose2 guess;                // with the help of the update's scan
+  };
+  void update(const LaserScan& scan, const UpdateMotion& motion);
+  PosePrior prior_of(const Particle& particle, const UpdateMotion& motion) const;
+  void move_and_weight(Particle& particle, const ScanForWeighting& scan, const UpdateMotion& motion,
                        Rng& rng) const;
   void resample_where_needed(Update& update);
   bool closes_loop(const ScanForWeighting& scan);
