@@ -15,9 +15,12 @@ constexpr double kLineReach = 0.2;  // [m] of the hits that make a line, to eith
 constexpr double kLineFlatness =
     0.03;  // a line's spread across it, as a share of that along it, at most
 
+constexpr double kSameDirection = 0.985;  // cos(10 deg): at twice the angle, so within 5 degrees
+
 // Of the line through the points about each point of a run, at twice the angle; zero where there is
 // none.
-std::vector<Eigen::Vector2d> doubled_directions(const std::vector<Eigen::Vector2d>& run) {
+std::vector<Eigen::Vector2d> doubled_directions(const std::vector<Eigen::Vector2d>& run,
+                                                double max_gap) {
   std::vector<Eigen::Vector2d> result(run.size(), Eigen::Vector2d::Zero());
   std::size_t first = 0, last = 0;  // the points within reach are [first, last)
   for (std::size_t i = 0; i < run.size(); ++i) {
@@ -25,8 +28,13 @@ std::vector<Eigen::Vector2d> doubled_directions(const std::vector<Eigen::Vector2
     last = std::max(last, i + 1);
     while (last < run.size() && (run[last] - run[i]).norm() <= kLineReach) ++last;
     // At long range the next hits are farther than the reach: one to either side always counts.
-    const std::size_t from = i > 0 ? std::min(first, i - 1) : first;
-    const std::size_t to = std::max(last, std::min(run.size(), i + 2));
+    std::size_t from = i > 0 ? std::min(first, i - 1) : first;
+    std::size_t to = std::max(last, std::min(run.size(), i + 2));
+    // Where hits lie far apart, the last one of a run does not tell where the surface ends: the
+    // line goes on to it.
+    const bool end_of_sparse_run =
+        to - from == 2 && run.size() >= 3 && (run[from + 1] - run[from]).norm() > max_gap;
+    if (end_of_sparse_run) (i == 0 ? ++to : --from);
     if (to - from < 3) continue;
     const auto count = static_cast<double>(to - from);
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
@@ -45,6 +53,15 @@ std::vector<Eigen::Vector2d> doubled_directions(const std::vector<Eigen::Vector2
     if (xx + yy - split <= kLineFlatness * (xx + yy + split)) result[i] = doubled / split;
   }
   return result;
+}
+
+// Whether the lines through a hit and the one before it both lie along the way between them.
+bool are_of_one_wall(const std::vector<Eigen::Vector2d>& run,
+                     const std::vector<Eigen::Vector2d>& lines, std::size_t i) {
+  const Eigen::Vector2d way = run[i] - run[i - 1];
+  const Eigen::Vector2d doubled(way.x() * way.x() - way.y() * way.y(), 2.0 * way.x() * way.y());
+  const double least = kSameDirection * doubled.norm();
+  return lines[i - 1].dot(doubled) > least && lines[i].dot(doubled) > least;
 }
 
 }  // namespace
@@ -69,10 +86,11 @@ std::vector<SurfacePoint> surface_points(const LaserScan& scan, double max_range
   points.reserve(2 * scan.ranges.size());
   std::vector<Eigen::Vector2d> run;  // hits that follow each other near enough for a line
   const auto finish_run = [&] {
-    const std::vector<Eigen::Vector2d> lines = doubled_directions(run);
+    const std::vector<Eigen::Vector2d> lines = doubled_directions(run, max_gap);
     for (std::size_t i = 0; i < run.size(); ++i) {
       const double gap = i > 0 ? (run[i] - run[i - 1]).norm() : 0.0;
-      const int pieces = gap <= max_gap ? static_cast<int>(gap / spacing) + 1 : 1;
+      const bool filled = i > 0 && (gap <= max_gap || are_of_one_wall(run, lines, i));
+      const int pieces = filled ? static_cast<int>(gap / spacing) + 1 : 1;
       for (int k = 1; k < pieces; ++k) {
         points.push_back(
             {run[i - 1] + (run[i] - run[i - 1]) * k / pieces, 0.5 * (lines[i - 1] + lines[i])});

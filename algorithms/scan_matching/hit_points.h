@@ -34,8 +34,9 @@ std::vector<Eigen::Vector2d> hit_points(const LaserScan& scan, const HitPointOpt
 std::vector<Eigen::Vector2d> all_hit_points(const LaserScan& scan, double max_range);
 
 // The surface that the scan saw, for building maps: all hits nearer than max_range, and between
-// neighbouring ones not more than max_gap [m] apart points every `spacing` [m]. Each knows the line
-// through the hits about it, as far as they follow each other without a larger gap.
+// neighbouring ones points every `spacing` [m], where they are not more than max_gap [m] apart or
+// lie on one straight wall, seen at a grazing angle. Each knows the line through the hits about it,
+// as far as they follow each other without a larger gap.
 std::vector<SurfacePoint> surface_points(const LaserScan& scan, double max_range, double max_gap,
                                          double spacing);
 

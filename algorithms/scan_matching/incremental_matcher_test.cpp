@@ -89,6 +89,24 @@ TEST(IncrementalMatcher, RecoversFromATurnThatOdometryMissed) {
   EXPECT_THAT(matcher.pose(), IsNear(motion_between(start, turned), Tolerance{0.03, 0.02}));
 }
 
+// Here the climb ends on a side optimum: it explains enough to be trusted, too little to convince.
+TEST(IncrementalMatcher, ChecksAWeakClimbByASearch) {
+  const TestRoom room = example_place();
+  const Pose2 start{7.0, 4.0, 0.0}, motion{-0.4, 0.0, 0.0};
+  const auto matched = [&](double search_below) {
+    IncrementalMatcher matcher({.search_below = search_below});
+    matcher.add(Odometry{.time = 0.0});
+    matcher.add(scan_of(room, start, {}, 0.0));
+    matcher.add(Odometry{.time = 1.0});  // the wheels saw nothing
+    matcher.add(scan_of(room, start * motion, {}, 1.0));
+    return std::pair(distance(matcher.pose(), motion), matcher.last_match().trustworthy);
+  };
+  const auto [unchecked_error, unchecked_trust] = matched(0.0);
+  EXPECT_GT(unchecked_error, 0.2);
+  EXPECT_TRUE(unchecked_trust);
+  EXPECT_LT(matched(IncrementalMatcherOptions{}.search_below).first, 0.06);
+}
+
 TEST(IncrementalMatcher, CountsScansOfALaserThatSeesNothingAndFollowsOdometry) {
   IncrementalMatcher matcher;
   for (int i = 0; i < 5; ++i) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include "algorithms/scan_matching/likelihood_slope.h"
 #include "core/check.h"
 #include "core/geometry/angle.h"
 
@@ -44,19 +45,9 @@ Pose2 polished(const Pose2& start, const FieldPoints& points, const LikelihoodFi
     const Pose2 off = motion_between(prediction.mean, x);
     Eigen::Matrix3d h = prediction.information + 1e-6 * Eigen::Matrix3d::Identity();
     Eigen::Vector3d g = -prediction.information * Eigen::Vector3d(off.x, off.y, off.theta);
-    const double c = std::cos(x.theta), s = std::sin(x.theta);
-    Eigen::Matrix2d map_from_robot;
-    map_from_robot << c, -s, s, c;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Eigen::Vector2d p =
-          Eigen::Vector2d(double{points.x[k]}, double{points.y[k]}) * map.resolution();
-      const LikelihoodField::Shape shape = map.shape_at(x * p);
-      Eigen::Matrix<double, 2, 3>
-          moves;  // of the point in the map, with steps in the robot's frame
-      moves << map_from_robot, map_from_robot * Eigen::Vector2d(-p.y(), p.x());
-      g += moves.transpose() * shape.slope;
-      h += moves.transpose() * shape.curvature * moves;
-    }
+    const LikelihoodSlope scan = likelihood_slope(points, 0, points.size(), map, x);
+    h += scan.curvature;
+    g += scan.slope;
     const Eigen::Vector3d step = h.ldlt().solve(g);
     x = x * Pose2{step.x(), step.y(), normalized_angle(step.z())};
   }
@@ -92,8 +83,14 @@ ScanMatch match_scan_from(const Pose2& start, const FieldPoints& points, const L
 
   const Pose2 fine =
       polished(best.map_from_robot, points, map, prediction, options.polish_iterations);
-  if (distance(fine, best.map_from_robot) <= options.last_step) best.map_from_robot = fine;
-  best.log_posterior = log_posterior(best.map_from_robot);
+  // Along a wall that is not along the robot's axes the climb is caught on the ridge, where
+  // Gauss-Newton goes far; from where it does not improve the posterior it must stay near.
+  const double fine_posterior = log_posterior(fine);
+  if (fine_posterior > best.log_posterior ||
+      distance(fine, best.map_from_robot) <= options.last_step) {
+    best.map_from_robot = fine;
+    best.log_posterior = fine_posterior;
+  }
 
   best.log_likelihood = map.sum_log_at(points, best.map_from_robot);
   best.explained = 1.0 - best.log_likelihood / (double{map.floor()} * best.points_used);

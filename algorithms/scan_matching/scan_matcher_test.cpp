@@ -66,16 +66,17 @@ TEST(ScanMatcher, AStrongPriorHoldsAgainstAWeakScan) {
   EXPECT_THAT(match.map_from_robot, IsNear(ahead, Tolerance{0.03, 0.01}));
 }
 
-TEST(HitPoints, LeaveOutWhatHitNothingAndWhatIsTooFar) {
-  LaserScan scan{.bearing_step = 0.1, .max_range = 8.0};
-  scan.ranges = {1.0, 8.0, 0.0, 5.0, 2.0};
-  EXPECT_EQ(hit_points(scan, {.max_range = 4.0}).size(), 2U);
-}
-
-TEST(HitPoints, StandInTheRobotFrame) {
-  LaserScan scan{.robot_from_laser = {0.5, 0.0, kPi}, .bearing_step = 0.1, .max_range = 8.0};
-  scan.ranges = {2.0};
-  EXPECT_LT((hit_points(scan, {})[0] - Eigen::Vector2d(-1.5, 0.0)).norm(), 1e-12);
+// Steps and turns of the climb are along the robot's axes, so here each one alone leads downhill.
+TEST(ScanMatcher, IsNotCaughtOnTheRidgeOfACorridorThatLiesAslant) {
+  const TestRoom room = corridor(60.0);
+  const Pose2 truth{0.0, 0.0, 0.5};
+  const LikelihoodField field = field_of(room, truth);
+  const Pose2 predicted{0.08, 0.06, 0.53};
+  const ScanMatch match = match_scan(points_of(scan_of(room, truth), field), field,
+                                     independent_prior(predicted, 0.05, 0.05, 0.03));
+  EXPECT_NEAR(match.map_from_robot.x, predicted.x, 0.03);  // along it the prediction holds
+  EXPECT_NEAR(match.map_from_robot.y, truth.y, 0.01);
+  EXPECT_NEAR(match.map_from_robot.theta, truth.theta, 0.005);
 }
 
 }  // namespace

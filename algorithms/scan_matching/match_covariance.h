@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "algorithms/grid/likelihood_field.h"
+#include "core/config/option.h"
+#include "core/geometry/pose_prior.h"
+
+namespace mapbed {
+
+struct MatchCovarianceOptions {
+  double probe_step = 0.01;  // [m] over which slopes are compared: as coarse as the noise of beams
+  double turn_per_meter = 0.5;  // [rad/m] the same for turns
+  int beams_together = 10;      // neighbouring points whose errors are alike
+};
+
+template <class Visitor>
+void visit_fields(MatchCovarianceOptions& o, Visitor&& visit) {
+  visit("probe_step", o.probe_step, Unit::meter, kPositive,
+        "over which the slopes of the likelihood are compared");
+  visit("turn_per_meter", o.turn_per_meter, Unit::radian_per_meter, kPositive,
+        "size of turns beside that of steps");
+  visit("beams_together", o.beams_together, at_least(1),
+        "neighbouring points of a scan whose errors are alike");
+}
+
+// How far the optimum of ln p(z | x, m) + ln p(x) may lie from the true pose: the covariance of
+// (x, y, theta) in the frame of `optimum`, as that of an estimator by slopes (Huber's sandwich),
+//
+//   (H + P)^-1 (S + P) (H + P)^-1,    S = sum over groups of points of s s^T,
+//
+// P the information of the prediction and s the slope that a group of neighbouring points pulls
+// with. What neighbours err in common (the wall of the map that they lie on) so counts once, not
+// once for each. H is how fast the whole slope changes over probe_step to either side: a map of
+// cells follows a scan that is moved by less than its noise, so that its curvature at a point
+// promises more than a match can keep.
+//
+// Knows only what lies about this optimum: not that another one may be the right one.
+Eigen::Matrix3d match_covariance(const Pose2& optimum, const FieldPoints& points,
+                                 const LikelihoodField& map, const PosePrior& prediction,
+                                 const MatchCovarianceOptions& options = {});
+
+}  // namespace mapbed
