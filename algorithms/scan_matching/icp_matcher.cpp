@@ -75,12 +75,14 @@ ScanMatch match_icp(const std::vector<Eigen::Vector2d>& points_in_robot, const I
       const IcpMap::Pair* pair = map.nearest(point, options.max_distance);
       if (pair == nullptr) continue;
       ++paired;
-      if (pair->normal.isZero()) continue;
-      const double residual = pair->normal.dot(point - pair->point) / options.sigma;
+      // To the line, or where the map knows none to the point, which the error's own direction
+      // does.
+      const Eigen::Vector2d error = point - pair->point;
+      const Eigen::Vector2d across = pair->normal.isZero() ? error.normalized() : pair->normal;
+      const double residual = across.dot(error) / options.sigma;
       const double weight = 1.0 / (1.0 + residual * residual);  // Cauchy
-      const Eigen::Vector2d normal(
-          c * pair->normal.x() + s * pair->normal.y(),
-          -s * pair->normal.x() + c * pair->normal.y());  // in the robot frame
+      const Eigen::Vector2d normal(c * across.x() + s * across.y(),
+                                   -s * across.x() + c * across.y());  // in the robot frame
       const Eigen::Vector3d gradient =
           Eigen::Vector3d(normal.x(), normal.y(), p.x() * normal.y() - p.y() * normal.x()) /
           options.sigma;

@@ -13,7 +13,8 @@
 namespace mapbed {
 
 // Point-to-line ICP (Censi 2008), the second baseline: each point is paired with the nearest point
-// of the local map, and the sum of squared distances to the lines through those points, with the
+// of the local map, and the sum of squared distances to the lines through those points (to the
+// points themselves where the map knows no line), with the
 // prior, is minimised by Gauss-Newton; pairs far from the line count less (Cauchy).
 struct IcpMatcherOptions {
   int max_iterations = 30;

@@ -66,17 +66,23 @@ TEST(ScanMatcher, AStrongPriorHoldsAgainstAWeakScan) {
   EXPECT_THAT(match.map_from_robot, IsNear(ahead, Tolerance{0.03, 0.01}));
 }
 
-// Steps and turns of the climb are along the robot's axes, so here each one alone leads downhill.
+// Steps of the climb are along the robot's axes, so where the wall is not, each one alone leads
+// downhill.
 TEST(ScanMatcher, IsNotCaughtOnTheRidgeOfACorridorThatLiesAslant) {
   const TestRoom room = corridor(60.0);
   const Pose2 truth{0.0, 0.0, 0.5};
   const LikelihoodField field = field_of(room, truth);
-  const Pose2 predicted{0.08, 0.06, 0.53};
-  const ScanMatch match = match_scan(points_of(scan_of(room, truth), field), field,
-                                     independent_prior(predicted, 0.05, 0.05, 0.03));
-  EXPECT_NEAR(match.map_from_robot.x, predicted.x, 0.03);  // along it the prediction holds
-  EXPECT_NEAR(match.map_from_robot.y, truth.y, 0.01);
-  EXPECT_NEAR(match.map_from_robot.theta, truth.theta, 0.005);
+  const FieldPoints points = points_of(scan_of(room, truth), field);
+  for (const double ahead : {-0.08, 0.0, 0.08}) {
+    for (const double aside : {-0.08, 0.08}) {
+      const Pose2 predicted{ahead, aside, 0.53};
+      const Pose2 match =
+          match_scan(points, field, independent_prior(predicted, 0.05, 0.05, 0.03)).map_from_robot;
+      EXPECT_NEAR(match.x, predicted.x, 0.03);  // along it the prediction holds
+      EXPECT_NEAR(match.y, truth.y, 0.01);
+      EXPECT_NEAR(match.theta, truth.theta, 0.005);
+    }
+  }
 }
 
 }  // namespace
