@@ -51,7 +51,7 @@ std::string cost_csv(const MapCost& cost) {
       "scans,recorded_s,estimating_s,longest_scan_s,mapping_s,peak_memory_bytes\n"
       "{},{:.6f},{:.6f},{:.6f},{:.6f},{:.0f}\n",
       cost.scans, cost.seconds_recorded, cost.estimating, cost.longest_scan, cost.mapping,
-      cost.peak_memory);
+      peak_memory());
 }
 
 std::string summary_json(const std::string& log_name, const RecordedLog& log, const MapRun& run) {
@@ -79,10 +79,27 @@ std::string summary_json(const std::string& log_name, const RecordedLog& log, co
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
+// A map too large to be written is refused before the work is done, as far as the first scan tells,
+// and before its memory is taken.
+void check_size_of_first_scan(const SensorLog& log, const MapOptions& options) {
+  for (const Measurement& measurement : log) {
+    const auto* scan = std::get_if<LaserScan>(&measurement);
+    if (scan == nullptr) continue;
+    const CellBox box = box_of_beams({*scan}, {{scan->time, {}}}, options);
+    return check_image_size(box, options.resolution, "the map of the first scan alone");
+  }
+}
+
+OccupancyMap map_of(const SensorLog& log, const Trajectory& trajectory, const MapOptions& options) {
+  check_image_size(box_of_beams(log, trajectory, options), options.resolution);
+  return build_map(log, trajectory, options);
+}
+
 }  // namespace
 
 MapRun make_map(const RecordedLog& log, const MapConfig& config,
                 const std::function<bool(std::size_t done, std::size_t total)>& may_go_on) {
+  check_size_of_first_scan(log.measurements, config.map);
   const Method& method = method_by_name(config.method);
   const auto estimator =
       method.make(config.method_settings, Rng(config.seed).stream(config.method));
@@ -91,17 +108,18 @@ MapRun make_map(const RecordedLog& log, const MapConfig& config,
   Estimate estimate = estimator->estimate();
 
   const Clock::time_point start = Clock::now();
-  const auto end = log.measurements.begin() + static_cast<std::ptrdiff_t>(taken);
-  OccupancyMap map =
-      taken == log.measurements.size()
-          ? build_map(log.measurements, estimate.trajectory, config.map)
-          : build_map(SensorLog(log.measurements.begin(), end), estimate.trajectory, config.map);
+  const auto part_of_log = [&] {
+    const auto end = log.measurements.begin() + static_cast<std::ptrdiff_t>(taken);
+    return SensorLog(log.measurements.begin(), end);
+  };
+  const bool whole = taken == log.measurements.size();
+  OccupancyMap map = whole ? map_of(log.measurements, estimate.trajectory, config.map)
+                           : map_of(part_of_log(), estimate.trajectory, config.map);
   cost.mapping = seconds_since(start);
   cost.scans = static_cast<int>(estimate.trajectory.size());
   if (cost.scans > 0) {
     cost.seconds_recorded = estimate.trajectory.back().time - estimate.trajectory.front().time;
   }
-  cost.peak_memory = peak_memory();
   return {config, std::move(estimate), std::move(map), count_scans(log.measurements), cost};
 }
 

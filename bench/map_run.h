@@ -15,7 +15,6 @@ struct MapCost {
   double estimating = 0.0;        // [s] all measurements through the method
   double mapping = 0.0;           // [s] the map of the poses
   double longest_scan = 0.0;      // [s] of a single scan
-  double peak_memory = 0.0;       // [bytes] of the program so far
   double seconds_recorded = 0.0;  // [s] from the first to the last scan that was taken in
   int scans = 0;
 };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/testing/test_room.h"
+#include "core/testing/throws_input_error.h"
 
 namespace mapbed {
 namespace {
@@ -28,6 +29,15 @@ TEST(MapRun, EndsWithWhatItHasWhenItMayNotGoOn) {
   EXPECT_FALSE(run.complete());
   EXPECT_EQ(run.estimate.trajectory.size(), 5U);
   EXPECT_FALSE(known_box(run.map).empty());
+}
+
+TEST(MapRun, RefusesAMapThatCannotBeWrittenBeforeTheWorkIsDone) {
+  MapConfig config{.method = "odometry"};
+  config.map.resolution = 1e-4;
+  int asked = 0;
+  const auto count = [&](std::size_t, std::size_t) { return ++asked > 0; };
+  EXPECT_INPUT_ERROR(make_map(room_log(), config, count), "the map of the first scan alone is ");
+  EXPECT_EQ(asked, 0);
 }
 
 }  // namespace

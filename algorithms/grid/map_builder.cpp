@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "algorithms/grid/counting_map.h"
@@ -16,6 +17,14 @@ namespace mapbed {
 namespace {
 
 using ScanList = std::vector<const LaserScan*>;
+
+ScanList scans_of(const SensorLog& log) {
+  ScanList scans;
+  for (const Measurement& measurement : log) {
+    if (const auto* scan = std::get_if<LaserScan>(&measurement)) scans.push_back(scan);
+  }
+  return scans;
+}
 
 // Half the side of the largest grid, so that one that starts anywhere near the origin holds it.
 double reach(double resolution) {
@@ -92,11 +101,25 @@ OccupancyMap build_map(std::span<const LaserScan> scans, const Trajectory& map_f
 
 OccupancyMap build_map(const SensorLog& log, const Trajectory& map_from_robot,
                        const MapOptions& options) {
-  ScanList list;
-  for (const Measurement& measurement : log) {
-    if (const auto* scan = std::get_if<LaserScan>(&measurement)) list.push_back(scan);
+  return build(scans_of(log), map_from_robot, options);
+}
+
+CellBox box_of_beams(const SensorLog& log, const Trajectory& map_from_robot,
+                     const MapOptions& options) {
+  check(options);
+  const ScanList scans = scans_of(log);
+  check(scans, map_from_robot, options);
+  Eigen::AlignedBox2d box;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    for_each_beam(*scans[i], map_from_robot[i].pose, options.beams,
+                  [&](std::size_t, const Beam& beam) { box.extend(beam.start).extend(beam.end); });
   }
-  return build(list, map_from_robot, options);
+  if (box.isEmpty()) return {};
+  const auto cell_of = [&](const Eigen::Vector2d& point) {
+    return CellIndex{static_cast<int>(std::floor(point.x() / options.resolution)),
+                     static_cast<int>(std::floor(point.y() / options.resolution))};
+  };
+  return {cell_of(box.min()), cell_of(box.max())};
 }
 
 }  // namespace mapbed

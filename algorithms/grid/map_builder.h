@@ -41,4 +41,9 @@ OccupancyMap build_map(std::span<const LaserScan> scans, const Trajectory& map_f
 OccupancyMap build_map(const SensorLog& log, const Trajectory& map_from_robot,
                        const MapOptions& options = {});
 
+// The cells that the lasers and their beams' ends lie in: a map of these scans is no larger, and
+// this is far quicker than to build it.
+CellBox box_of_beams(const SensorLog& log, const Trajectory& map_from_robot,
+                     const MapOptions& options = {});
+
 }  // namespace mapbed

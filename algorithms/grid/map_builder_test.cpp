@@ -103,6 +103,15 @@ TEST(MapBuilder, ALongDriveDoesNotHoldItsBoundingBox) {
   EXPECT_LT(build_map(scans, map_from_robot).tile_count(), 3U * 884U);
 }
 
+TEST(MapBuilder, KnowsTheBoxOfAMapBeforeItIsBuilt) {
+  const SensorLog log{scan_of(4.0, 1.0), scan_of(2.0, 2.0)};
+  const Trajectory path = {{1.0, {1.02, 0.52, 0.3}}, {2.0, {-1.0, 0.5, 2.0}}};
+  const CellBox box = box_of_beams(log, path);
+  const CellBox known = known_box(build_map(log, path));
+  EXPECT_EQ(box.min, known.min);
+  EXPECT_EQ(box.max, known.max);
+}
+
 TEST(MapBuilder, RefusesOptionsThatContradictEachOther) {
   EXPECT_INPUT_ERROR(build_map(std::vector<LaserScan>{}, {}, {.resolution = -1.0}),
                      "must be greater than 0");

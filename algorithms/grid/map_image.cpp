@@ -19,6 +19,17 @@ std::uint8_t grey_of(const Occupancy& cell) {
 
 }  // namespace
 
+void check_image_size(const CellBox& box, double resolution, const std::string& name) {
+  const std::int64_t pixels = std::int64_t{box.width()} * box.height();
+  if (pixels > kMaxPixels) {
+    throw InputError(fmt::format(
+        "{} is {} x {} cells of {} m, too large for a picture of at most {} pixels; choose larger "
+        "cells, {:.2g} m or more",
+        name, box.width(), box.height(), resolution, kMaxPixels,
+        resolution * std::sqrt(static_cast<double>(pixels) / kMaxPixels) * 1.01));
+  }
+}
+
 CellBox image_box(const OccupancyMap& map, const std::string& name) {
   const CellBox box = known_box(map);
   if (box.empty()) {
@@ -26,14 +37,7 @@ CellBox image_box(const OccupancyMap& map, const std::string& name) {
                      " has no known cell; no scan with a usable beam went into it, or all were cut "
                      "by the usable range");
   }
-  const std::int64_t pixels = std::int64_t{box.width()} * box.height();
-  if (pixels > kMaxPixels) {
-    throw InputError(fmt::format(
-        "{} is {} x {} cells of {} m, too large for a picture of at most {} pixels; choose larger "
-        "cells, {:.2g} m or more",
-        name, box.width(), box.height(), map.resolution(), kMaxPixels,
-        map.resolution() * std::sqrt(static_cast<double>(pixels) / kMaxPixels) * 1.01));
-  }
+  check_image_size(box, map.resolution(), name);
   return box;
 }
 

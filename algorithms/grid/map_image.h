@@ -20,4 +20,7 @@ GrayImage to_image(const OccupancyMap& map, const CellBox& box);
 // the box is too large for a picture; `name` stands in the message.
 CellBox image_box(const OccupancyMap& map, const std::string& name = "the map");
 
+// Throws InputError where a box of cells is too large for a picture.
+void check_image_size(const CellBox& box, double resolution, const std::string& name = "the map");
+
 }  // namespace mapbed

@@ -14,6 +14,7 @@
 #include "bench/cli/output_folder.h"
 #include "bench/cli/progress.h"
 #include "bench/map_run.h"
+#include "bench/process_cost.h"
 #include "core/data_path.h"
 #include "core/input_error.h"
 #include "core/log/log_description.h"
@@ -112,7 +113,7 @@ void print_result(const MapRun& run, const std::string& folder, double total) {
              1e3 * cost.estimating / std::max(1, cost.scans), 1e3 * cost.longest_scan, cost.mapping,
              total);
   if (total > 0.0) fmt::print(", {:.0f} times real time", cost.seconds_recorded / total);
-  fmt::print("; {:.0f} MB\n", cost.peak_memory / 1e6);
+  fmt::print("; {:.0f} MB\n", peak_memory() / 1e6);
   fmt::print("written to {}\n", folder);
 }
 
