@@ -33,6 +33,7 @@ TEST(MapRun, EndsWithWhatItHasWhenItMayNotGoOn) {
 
 TEST(MapRun, RefusesAMapThatCannotBeWrittenBeforeTheWorkIsDone) {
   MapConfig config{.method = "odometry"};
+  config.map.beams.usable_range = 10.0;
   config.map.resolution = 1e-4;
   int asked = 0;
   const auto count = [&](std::size_t, std::size_t) { return ++asked > 0; };
