@@ -74,8 +74,36 @@ struct PlanarPhysics::State {
   Wheels wheels;
   b2Body* robot = nullptr;
   std::vector<b2Body*> movers;  // index: id
+  std::vector<double> reaches;  // [m] of the movers, from their origins
   std::vector<Pose2> targets;   // where the movers are after the next step
+  double robot_reach = 0.0;     // [m]
+
+  void send_to_target(std::size_t mover, double dt);
 };
+
+// Beside the robot with the velocity that takes it there, so that the two push each other; far from
+// it by a leap, asleep, which is all that there is to it and much cheaper.
+void PlanarPhysics::State::send_to_target(std::size_t mover, double dt) {
+  constexpr double kLeast = 1.0;  // [m] between mover and robot
+  b2Body& body = *movers[mover];
+  const Pose2& target = targets[mover];
+  const b2Vec2 way = b2(target.x, target.y) - body.GetPosition();
+  const double turn = angle_difference(body.GetAngle(), target.theta);
+  if (way.LengthSquared() == 0.0F && std::abs(turn) < 1e-6) {
+    if (body.GetLinearVelocity().LengthSquared() > 0.0F) body.SetLinearVelocity({0.0F, 0.0F});
+    if (body.GetAngularVelocity() != 0.0F) body.SetAngularVelocity(0.0F);
+    return;
+  }
+  const b2Vec2 from_robot = body.GetPosition() - robot->GetPosition();
+  if (from_robot.Length() > reaches[mover] + robot_reach + kLeast) {
+    body.SetTransform(b2(target.x, target.y), static_cast<float>(target.theta));
+    body.SetAwake(false);
+    return;
+  }
+  const auto rate = static_cast<float>(1.0 / dt);
+  body.SetLinearVelocity(rate * way);
+  body.SetAngularVelocity(rate * static_cast<float>(turn));
+}
 
 PlanarPhysics::PlanarPhysics(const World& world, const Robot& robot, const Pose2& start,
                              const Rng& rng)
@@ -95,6 +123,7 @@ PlanarPhysics::PlanarPhysics(const World& world, const Robot& robot, const Pose2
   robot_def.allowSleep = false;
   state_->robot = state_->world.CreateBody(&robot_def);
   add_robot_shape(*state_->robot, robot);
+  state_->robot_reach = robot.footprint.reach();
 }
 
 PlanarPhysics::~PlanarPhysics() = default;
@@ -110,6 +139,7 @@ int PlanarPhysics::add_person(const Eigen::Vector2d& position, double radius) {
   circle.m_radius = static_cast<float>(radius);
   add_fixture(*body, circle, 0.0);
   state_->movers.push_back(body);
+  state_->reaches.push_back(radius);
   state_->targets.push_back({position.x(), position.y(), 0.0});
   return static_cast<int>(state_->movers.size()) - 1;
 }
@@ -125,6 +155,7 @@ int PlanarPhysics::add_door(const Pose2& world_from_hinge, double width, double 
                 b2(width / 2.0, 0.0), 0.0F);
   add_fixture(*body, leaf, 0.0);
   state_->movers.push_back(body);
+  state_->reaches.push_back(std::hypot(width, thickness));
   state_->targets.push_back(world_from_hinge);
   return static_cast<int>(state_->movers.size()) - 1;
 }
@@ -136,19 +167,7 @@ void PlanarPhysics::move(int id, const Pose2& pose) {
 
 void PlanarPhysics::step(const DriveCommand& command, double dt) {
   State& s = *state_;
-  for (std::size_t i = 0; i < s.movers.size(); ++i) {
-    b2Body& body = *s.movers[i];
-    const b2Vec2 way = b2(s.targets[i].x, s.targets[i].y) - body.GetPosition();
-    const double turn = angle_difference(body.GetAngle(), s.targets[i].theta);
-    const float rate = static_cast<float>(1.0 / dt);
-    if (way.LengthSquared() == 0.0F && std::abs(turn) < 1e-6) {
-      if (body.GetLinearVelocity().LengthSquared() > 0.0F) body.SetLinearVelocity({0.0F, 0.0F});
-      if (body.GetAngularVelocity() != 0.0F) body.SetAngularVelocity(0.0F);
-      continue;
-    }
-    body.SetLinearVelocity(rate * way);
-    body.SetAngularVelocity(rate * static_cast<float>(turn));
-  }
+  for (std::size_t i = 0; i < s.movers.size(); ++i) s.send_to_target(i, dt);
 
   s.wheels.drive(command, dt);
   const Twist2 now = robot_velocity();

@@ -54,26 +54,28 @@ std::optional<Crossing> first_crossing(const Box& box, const Ray& ray) {
 }
 
 std::optional<Crossing> first_crossing(const Cylinder& cylinder, const Ray& ray) {
-  Inside inside;
-  inside.cut_to_layer(ray, 2, cylinder.height / 2);
-
   // |o + t d|^2 = r^2 in the plane: a t^2 + 2 b t + c = 0
   const Eigen::Vector2d o = ray.origin.head<2>();
   const Eigen::Vector2d d = ray.direction.head<2>();
   const double a = d.squaredNorm();
+  const double b = o.dot(d);
   const double c = o.squaredNorm() - cylinder.radius * cylinder.radius;
   if (a == 0.0) {
     if (c > 0.0) return std::nullopt;  // runs beside the cylinder, along its axis
+    Inside inside;
+    inside.cut_to_layer(ray, 2, cylinder.height / 2);
     return inside.first_within(ray);
   }
-  const double b = o.dot(d);
+  // Most rays that come this far pass by.
   const double discriminant = b * b - a * c;
-  if (discriminant < 0.0) return std::nullopt;
+  if (discriminant < 0.0 || (c > 0.0 && b > 0.0 && ray.min_range >= 0.0)) return std::nullopt;
   const double root = std::sqrt(discriminant);
   const auto at = [&](double range) {
     const Eigen::Vector2d outwards = (o + range * d) / cylinder.radius;
     return Crossing{range, {outwards.x(), outwards.y(), 0.0}};
   };
+  Inside inside;
+  inside.cut_to_layer(ray, 2, cylinder.height / 2);
   inside.cut(at((-b - root) / a), at((-b + root) / a));
   return inside.first_within(ray);
 }

@@ -19,6 +19,7 @@ void Solid::place(const Pose3& world_from_part, bool visible) {
   placed_.world_from_part = world_from_part;
   placed_.visible = visible;
   part_from_world_ = world_from_part.rotation.toRotationMatrix().transpose();
+  is_round_ = std::holds_alternative<Cylinder>(placed_.geometry) && part_from_world_(2, 2) == 1.0;
 }
 
 Eigen::Vector3d Solid::half_extent() const {
@@ -35,6 +36,10 @@ Eigen::Vector3d Solid::half_extent() const {
 
 std::optional<Crossing> Solid::first_crossing(const Ray& ray) const {
   Ray in_part = ray;
+  if (is_round_) {
+    in_part.origin -= center();
+    return mapbed::first_crossing(std::get<Cylinder>(placed_.geometry), in_part);
+  }
   in_part.origin = part_from_world_ * (ray.origin - center());
   in_part.direction = part_from_world_ * ray.direction;
   const auto* cylinder = std::get_if<Cylinder>(&placed_.geometry);

@@ -27,6 +27,7 @@ class Solid {
  private:
   PlacedPart placed_;
   Eigen::Matrix3d part_from_world_;
+  bool is_round_ = false;  // an upright cylinder: turning about z changes nothing
 };
 
 struct Plane {  // normal . p = offset

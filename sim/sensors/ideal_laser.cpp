@@ -13,8 +13,10 @@ constexpr double kBeyond = 1.05;  // times max_range: what cannot be read need n
 
 // Where a sub-ray runs beside the axis.
 struct SubRay {
-  double offset;  // in half widths of the beam, -1 to 1
-  double share;   // of the light
+  double share = 0.0;   // of the light
+  double beside = 0.0;  // [m] to the left of the axis
+  double c = 1.0;       // cosine and sine of the angle to the axis
+  double s = 0.0;
 };
 
 std::vector<SubRay> sub_rays_of(const LaserModel& model) {
@@ -23,27 +25,34 @@ std::vector<SubRay> sub_rays_of(const LaserModel& model) {
   std::vector<SubRay> result;
   double sum = 0.0;
   for (int i = 0; i < count; ++i) {
-    const double offset = (2.0 * i + 1.0) / count - 1.0;
+    const double offset = (2.0 * i + 1.0) / count - 1.0;  // in half widths of the beam, -1 to 1
+    const double angle = offset * model.divergence / 2.0;
     const double chord = std::sqrt(1.0 - offset * offset);
-    result.push_back({offset, chord});
+    result.push_back({chord, offset * model.aperture / 2.0, std::cos(angle), std::sin(angle)});
     sum += chord;
   }
   for (SubRay& ray : result) ray.share /= sum;
   return result;
 }
 
-Ray ray_of(const MountedLaser& laser, const AimedBeam& beam, double offset) {
-  const LaserModel& model = laser.model;
+struct Axis {
+  double x, y;  // [m] of the laser
+  double c, s;  // cosine and sine of the bearing in the world
+};
+
+Axis axis_of(const MountedLaser& laser, const AimedBeam& beam) {
   const Pose2 world_from_laser = beam.world_from_robot * laser.robot_from_laser;
-  const double axis =
-      world_from_laser.theta + model.first_bearing + beam.index * model.bearing_step;
-  const double bearing = axis + offset * model.divergence / 2.0;
-  const double beside = offset * model.aperture / 2.0;  // to the left of the axis
+  const double bearing =
+      world_from_laser.theta + laser.model.first_bearing + beam.index * laser.model.bearing_step;
+  return {world_from_laser.x, world_from_laser.y, std::cos(bearing), std::sin(bearing)};
+}
+
+Ray ray_of(const MountedLaser& laser, const Axis& axis, const SubRay& sub_ray) {
   Ray ray;
-  ray.origin = {world_from_laser.x - beside * std::sin(axis),
-                world_from_laser.y + beside * std::cos(axis), laser.height};
-  ray.direction = {std::cos(bearing), std::sin(bearing), 0.0};
-  ray.max_range = kBeyond * model.max_range;
+  ray.origin = {axis.x - sub_ray.beside * axis.s, axis.y + sub_ray.beside * axis.c, laser.height};
+  ray.direction = {axis.c * sub_ray.c - axis.s * sub_ray.s, axis.s * sub_ray.c + axis.c * sub_ray.s,
+                   0.0};
+  ray.max_range = kBeyond * laser.model.max_range;
   return ray;
 }
 
@@ -62,14 +71,25 @@ Echo echo_of(const Hit& hit, const Ray& ray, double share, int sub_ray,
   const double cosine = cos_incidence(hit, ray);
   echo.cos_incidence = static_cast<float>(cosine);
   echo.reflectivity = static_cast<float>(material.reflectivity);
-  echo.hit_probability = static_cast<float>(hit_probability(material, std::acos(cosine)));
+  if (material.transmittance <= 0.0) return echo;
   // A pane that answers does so as a mirror: all of the light comes back.
-  if (material.transmittance > 0.0) echo.reflectivity = echo.cos_incidence = 1.0F;
+  echo.hit_probability = static_cast<float>(hit_probability(material, std::acos(cosine)));
+  echo.reflectivity = echo.cos_incidence = 1.0F;
   return echo;
 }
 
 bool is_glass(const Hit& hit, const std::vector<Material>& materials) {
   return hit.is_hit() && materials[static_cast<std::size_t>(hit.material)].transmittance > 0.0;
+}
+
+// Of one sub-ray; behind glass follows what stands there.
+void add_echoes(const Scene& scene, const Ray& ray, const Hit& hit, double share, int sub_ray,
+                std::vector<Echo>& echoes) {
+  echoes.push_back(echo_of(hit, ray, share, sub_ray, scene.materials()));
+  if (!is_glass(hit, scene.materials())) return;
+  Ray through = ray;
+  through.through_glass = true;
+  echoes.push_back(echo_of(scene.cast(through), ray, share, sub_ray, scene.materials()));
 }
 
 bool is_same_surface(const Hit& a, const Hit& b) {
@@ -90,46 +110,44 @@ BeamTruth truth_of(const Hit& hit) {
 std::vector<BeamEchoes> cast_beams(const Scene& scene, const MountedLaser& laser,
                                    std::span<const AimedBeam> beams) {
   const std::vector<SubRay> sub_rays = sub_rays_of(laser.model);
-  const std::vector<Material>& materials = scene.materials();
-  const std::size_t last = sub_rays.size() - 1;
-  const std::size_t axis = last / 2;
-
-  // The axes and both borders of all beams at once: neighbours run alike.
+  const std::size_t width = sub_rays.size();
+  const std::size_t axis = width / 2;
   const std::size_t n = beams.size();
-  std::vector<Ray> rays(3 * n);
-  std::vector<Hit> hits(3 * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    rays[i] = ray_of(laser, beams[i], 0.0);
-    rays[n + i] = ray_of(laser, beams[i], sub_rays.front().offset);
-    rays[2 * n + i] = ray_of(laser, beams[i], sub_rays[last].offset);
+  std::vector<Axis> axes;
+  for (const AimedBeam& beam : beams) axes.push_back(axis_of(laser, beam));
+
+  // All beams at once: neighbours run alike. First the axes and both borders ...
+  std::vector<Ray> rays;
+  for (const std::size_t k : {axis, std::size_t{0}, width - 1}) {
+    for (std::size_t i = 0; i < n && (k == axis || width > 1); ++i) {
+      rays.push_back(ray_of(laser, axes[i], sub_rays[k]));
+    }
   }
-  const std::size_t sent = last > 0 ? 3 * n : n;
-  scene.cast(std::span(rays).first(sent), std::span(hits).first(sent));
+  std::vector<Hit> hits(rays.size());
+  scene.cast(rays, hits);
+
+  // ... then all sub-rays of the beams whose spot is not on one surface.
+  std::vector<Ray> edge_rays;
+  std::vector<bool> on_edge(n, false);
+  for (std::size_t i = 0; i < n && width > 1; ++i) {
+    on_edge[i] =
+        !is_same_surface(hits[i], hits[n + i]) || !is_same_surface(hits[i], hits[2 * n + i]);
+    if (!on_edge[i]) continue;
+    for (const SubRay& sub_ray : sub_rays) edge_rays.push_back(ray_of(laser, axes[i], sub_ray));
+  }
+  std::vector<Hit> edge_hits(edge_rays.size());
+  scene.cast(edge_rays, edge_hits);
 
   std::vector<BeamEchoes> result(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto add = [&](const Ray& ray, const Hit& hit, double share, int sub_ray) {
-      result[i].echoes.push_back(echo_of(hit, ray, share, sub_ray, materials));
-      if (!is_glass(hit, materials)) return;
-      Ray through = ray;
-      through.through_glass = true;
-      result[i].echoes.push_back(echo_of(scene.cast(through), ray, share, sub_ray, materials));
-    };
+  for (std::size_t i = 0, next = 0; i < n; ++i) {
     result[i].truth = truth_of(hits[i]);
-    const bool one_surface = last == 0 || (is_same_surface(hits[i], hits[n + i]) &&
-                                           is_same_surface(hits[i], hits[2 * n + i]));
-    if (one_surface) {
-      add(rays[i], hits[i], 1.0, 0);
+    if (!on_edge[i]) {
+      add_echoes(scene, rays[i], hits[i], 1.0, 0, result[i].echoes);
       continue;
     }
-    for (std::size_t k = 0; k <= last; ++k) {
-      if (k == 0 || k == axis || k == last) {
-        const std::size_t at = (k == axis ? 0 : k == 0 ? n : 2 * n) + i;
-        add(rays[at], hits[at], sub_rays[k].share, static_cast<int>(k));
-        continue;
-      }
-      const Ray ray = ray_of(laser, beams[i], sub_rays[k].offset);
-      add(ray, scene.cast(ray), sub_rays[k].share, static_cast<int>(k));
+    for (std::size_t k = 0; k < width; ++k, ++next) {
+      add_echoes(scene, edge_rays[next], edge_hits[next], sub_rays[k].share, static_cast<int>(k),
+                 result[i].echoes);
     }
   }
   return result;
