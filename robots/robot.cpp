@@ -19,9 +19,7 @@ void check_footprint(const ConfigNode& node, const RobotFootprint& footprint) {
   }
 }
 
-LaserModel laser_of(const ConfigNode& file) {
-  LaserModel laser;
-  read_options(file, options_of(laser));
+void check_laser(const ConfigNode& file, const LaserModel& laser) {
   const double turn = laser.beams * laser.bearing_step;
   if (turn > 2.0 * 3.1416) {
     throw InputError(file.place(), "the beams cover more than a full turn",
@@ -31,6 +29,16 @@ LaserModel laser_of(const ConfigNode& file) {
     throw InputError(file.place(), "noise.far_range is below noise.near_range",
                      "the error grows from near_range to far_range");
   }
+  if (laser.mirror_rate > 0.0 && laser.scan_rate * laser.interlace > laser.mirror_rate) {
+    throw InputError(file.place(), "sweeps come faster than the mirror turns",
+                     "lower scan_rate, or raise mirror_rate (0: all beams at once)");
+  }
+}
+
+LaserModel laser_of(const ConfigNode& file) {
+  LaserModel laser;
+  read_options(file, options_of(laser));
+  check_laser(file, laser);
   return laser;
 }
 
@@ -58,6 +66,7 @@ MountedLaser mounted_laser(const ConfigNode& entry) {
                      "give the height of the scan plane");
   }
   read_options(entry, options_of(laser.model));
+  check_laser(entry, laser.model);
   return laser;
 }
 

@@ -122,5 +122,14 @@ TEST(Robot, NegativeAndSenselessValuesAreRefused) {
               HasSubstr("height is not above the floor"));
 }
 
+TEST(Robot, ALaserCannotSweepFasterThanItsMirrorTurns) {
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nlasers:\n"
+                       "- {name: a, sensor: sick_lms200, scan_rate: 76 Hz}\n"),
+              HasSubstr(".yaml:3: sweeps come faster than the mirror turns; lower scan_rate"));
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nlasers:\n"
+                       "- {name: a, sensor: sick_lms200, scan_rate: 75 Hz}\n"),
+              HasSubstr("no error"));
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -22,7 +22,6 @@ namespace {
 constexpr double kOverTheFloor = 0.02;   // [m] what is lower is walked and driven over
 constexpr double kHeadHeight = 1.9;      // [m] people walk under what is higher
 constexpr double kLeafThickness = 0.04;  // [m]
-constexpr double kHistory = 0.2;         // [s]
 
 void check_start(const World& world, const Robot& robot, const Pose2& start) {
   for (const Footprint& f : footprints(world, kOverTheFloor, robot.height)) {
@@ -84,7 +83,11 @@ struct Simulation::State {
         physics(world, robot, start, rng.stream("robot")),
         doors(world, rng.stream("doors")),
         crowd(world, walking_plan, view_of(robot, start, {}), options.people, rng.stream("people")),
-        scene(world) {}
+        scene(world) {
+    for (const MountedLaser& laser : robot.lasers) {
+      history_length = std::max(history_length, laser.model.sweep_time() + options.step);
+    }
+  }
 
   void add_bodies();
   void step(const DriveCommand& command);
@@ -106,6 +109,7 @@ struct Simulation::State {
   std::vector<int> leaf_bodies;
   std::int64_t steps = 0;
   Situation now;
+  double history_length = 0.2;                                      // [s] no sweep takes longer
   std::deque<Situation> history;                                    // oldest first, `now` last
   double arranged_time = std::numeric_limits<double>::quiet_NaN();  // what the scene shows
 };
@@ -138,7 +142,7 @@ void Simulation::State::take_note() {
     now.leaves_moving.push_back(doors.is_moving(i));
   }
   history.push_back(now);
-  while (history.front().time < now.time - kHistory - options.step) history.pop_front();
+  while (history.front().time < now.time - history_length - options.step) history.pop_front();
 }
 
 // People and doors go first, then the robot drives among them.

@@ -55,7 +55,7 @@ class Simulation {
   const Robot& robot() const;
   const FloorPlan& floor_plan() const;  // for the robot
   const Situation& now() const;         // stays where it is in memory and changes with each step
-  Situation at(double time) const;      // [s] within the last 200 ms, linearly between steps
+  Situation at(double time) const;      // [s] within the last 200 ms or the longest sweep
   bool is_touching() const;             // the robot touches something
 
   // A whole sweep that began at `start` and is over by now, every beam at its own time and from its

@@ -74,6 +74,17 @@ TEST(Simulation, WalkersPassADoorWhenItIsOpenAndNeverItsLeafOrTheWall) {
   EXPECT_LE(passages, 2 * 10);
 }
 
+TEST(Simulation, ASweepMayTakeAsLongAsItsMirror) {
+  Robot robot = round_robot();
+  MountedLaser& laser = robot.lasers.emplace_back();
+  laser.model.mirror_rate = 0.5;  // half a turn takes a second
+  Simulation simulation(small_room(6.0, 4.0), robot, {3.0, 2.0, 0.0}, {}, Rng(1));
+  for (int i = 0; i < 250; ++i) simulation.step({.turn_velocity = 0.3});
+  const Simulation::Sweep sweep = simulation.sweep(0, 1.5, 0);
+  EXPECT_EQ(sweep.truth.beams.size(), 180u);
+  EXPECT_NEAR(sweep.truth.time, 2.0, 0.01);
+}
+
 TEST(Simulation, NobodyGetsIntoARobotThatDrives) {
   World world = small_room(12.0, 4.0);
   world.paths = {{.name = "along", .points = {{{1.0, 2.0}}, {{11.0, 2.0}}, {{1.0, 2.0}}}}};

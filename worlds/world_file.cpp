@@ -191,6 +191,10 @@ class WorldReader {
       for (const Eigen::Vector2d& p : points(entry.at("points"), 2)) {
         path.points.push_back({p, fast});
       }
+      if (path.points.front().position == path.points[1].position) {
+        throw InputError(entry.place(), "the path begins with the same point twice",
+                         "let its first two points differ: they say where the robot looks");
+      }
       check_at(entry.place(), [&] { check_path(world_, path); });
       std::erase_if(world_.paths, [&](const NamedPath& old) { return old.name == name; });
       world_.paths.push_back(std::move(path));

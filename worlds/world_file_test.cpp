@@ -145,6 +145,11 @@ TEST_F(WorldFile, RefusesAPathThroughAWall) {
                      "comes within 0.25 m of 'wall'");
 }
 
+TEST_F(WorldFile, RefusesAPathThatDoesNotSayWhereToLook) {
+  EXPECT_INPUT_ERROR(load("start: office\npaths: {p: {points: [[1 m, 1 m], [1 m, 1 m]]}}\n"),
+                     "lab.yaml:2: the path begins with the same point twice");
+}
+
 TEST_F(WorldFile, SaysWhatItDoesNotKnowAndWhatWasMeant) {
   EXPECT_INPUT_ERROR(load("shapes:\n  - {name: crate, box: [1 m, 1 m, 1 m], material: plastre}\n"),
                      "lab.yaml:2: unknown material 'plastre'; did you mean 'plaster'?");

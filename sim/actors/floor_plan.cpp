@@ -95,7 +95,8 @@ void FloorPlan::lay_out_grid() {
   if (!(blocks.prod() * kBlock * kBlock < kMostCells)) {
     throw InputError("the world is too large to walk or drive in: its floor plan measures " +
                      std::to_string(std::lround(box.sizes().x())) + " m x " +
-                     std::to_string(std::lround(box.sizes().y())) + " m");
+                     std::to_string(std::lround(box.sizes().y())) +
+                     " m; leave out what lies far from the paths");
   }
   corner_ = box.min();
   block_columns_ = static_cast<int>(blocks.x()) + 1;

@@ -66,19 +66,21 @@ std::vector<LaserFan> fans_of(Simulation& simulation) {
   const double start = simulation.now().time - laser.model.sweep_time();
   if (start < 0.0) return {};
   const TruthScan scan = simulation.sweep(0, start, 0).truth;
-  const Pose2 world_from_laser = simulation.now().robot * laser.robot_from_laser;
-  const auto point = [&](double range, double bearing) {
-    const Eigen::Vector2d p =
-        world_from_laser * Eigen::Vector2d(range * std::cos(bearing), range * std::sin(bearing));
+  // Each beam from where the robot was when it was sent.
+  const auto point = [&](const Pose2& world_from_robot, double range, double bearing) {
+    const Eigen::Vector2d p = world_from_robot * laser.robot_from_laser *
+                              Eigen::Vector2d(range * std::cos(bearing), range * std::sin(bearing));
     return Eigen::Vector3d(p.x(), p.y(), laser.height);
   };
-  LaserFan fan{.origin = point(0.0, 0.0)};
+  LaserFan fan{.origin = point(simulation.now().robot, 0.0, 0.0)};
   for (std::size_t k = 0; k < scan.beams.size(); ++k) {
+    const Pose2 sent_from =
+        simulation.at(start + laser.model.beam_delay(static_cast<int>(k))).robot;
     const double bearing =
         laser.model.first_bearing + static_cast<double>(k) * laser.model.bearing_step;
     const double range = scan.beams[k].range;
     fan.is_hit.push_back(range < laser.model.max_range);
-    fan.ends.push_back(point(std::min(range, laser.model.max_range), bearing));
+    fan.ends.push_back(point(sent_from, std::min(range, laser.model.max_range), bearing));
   }
   return {fan};
 }
