@@ -27,11 +27,11 @@ PosePrior chained(const PosePrior& start, const PosePrior& step) {
   return {.mean = step.mean, .information = covariance.inverse()};
 }
 
-// A pose drawn from the Gaussian about the mode.
-Pose2 drawn_from(const LocalPosterior& posterior, Rng& rng) {
-  const Eigen::Matrix3d root = posterior.covariance.llt().matrixL();
+// A pose drawn from a Gaussian.
+Pose2 drawn_from(const Pose2& mean, const Eigen::Matrix3d& covariance, Rng& rng) {
+  const Eigen::Matrix3d root = covariance.llt().matrixL();
   const Eigen::Vector3d e = root * Eigen::Vector3d(rng.normal(), rng.normal(), rng.normal());
-  return posterior.mode * Pose2{e.x(), e.y(), normalized_angle(e.z())};
+  return mean * Pose2{e.x(), e.y(), normalized_angle(e.z())};
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ void GridSlam::add_scan(const LaserScan& scan) {
   if (matching && !withheld) {
     matcher_.add(scan);
     track = seen = matcher_.pose();
-  } else if (withheld && options_.proposal == Proposal::improved) {
+  } else if (withheld) {
     seen = matcher_.match(scan).map_from_robot;
   }
 
@@ -91,7 +91,7 @@ void GridSlam::add_scan(const LaserScan& scan) {
       const Update& before = updates_.back();
       const bool condensed = condensed_scans_ > 0;
       motion = {.whole = motion_between(before.track_from_robot, track),
-                .condensed = condensed ? motion_between(before.track_from_robot, matched) : Pose2{},
+                .condensed = condensed ? motion_between(before.seen_from_robot, matched) : Pose2{},
                 .step = condensed ? step : odometry_since(odometry_at_update_),
                 .seconds = scan.time - scans_.back().time,
                 .guess = motion_between(before.seen_from_robot, seen)};
@@ -99,7 +99,9 @@ void GridSlam::add_scan(const LaserScan& scan) {
     updates_.push_back({.time = scan.time,
                         .track_from_robot = track,
                         .seen_from_robot = seen,
-                        .condensed = withheld});
+                        .condensed = motion.condensed,
+                        .condensed_until = first ? scan.time : scans_.back().time,
+                        .is_condensed = withheld && condensed_scans_ > 0});
     update(scan, motion);
     odometry_at_update_ = odometry;
     condensed_scans_ = 0;
@@ -110,7 +112,7 @@ void GridSlam::add_scan(const LaserScan& scan) {
     track_from_robot_ = track;
     odometry_at_matched_scan_ = odometry;
   }
-  scans_.push_back({scan.time, track, updates_.size()});
+  scans_.push_back({scan.time, seen, updates_.size()});
 }
 
 void GridSlam::update(const LaserScan& scan, const UpdateMotion& motion) {
@@ -164,10 +166,10 @@ void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
     case Proposal::odometry:
     case Proposal::scan_matching: {
       const bool raw = options_.proposal == Proposal::odometry;
+      const PosePrior prior = raw ? PosePrior{} : prior_of(particle, motion);
       particle.pose =
-          particle.pose * sampled_motion(motion.whole,
-                                         raw ? options_.odometry_errors : options_.matching_errors,
-                                         rng);
+          raw ? particle.pose * sampled_motion(motion.whole, options_.odometry_errors, rng)
+              : drawn_from(prior.mean, prior.information.inverse(), rng);
       particle.log_weight += likelihood_.log_likelihood(scan, particle.map, particle.pose);
       return;
     }
@@ -176,7 +178,7 @@ void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
       const PosePrior prior = prior_of(particle, motion);
       const LocalPosterior posterior =
           likelihood_.local_posterior(start, scan, particle.map, prior);
-      particle.pose = drawn_from(posterior, rng);
+      particle.pose = drawn_from(posterior.mode, posterior.covariance, rng);
       particle.log_weight += posterior.log_evidence;
       return;
     }
@@ -236,7 +238,7 @@ const GridSlam::Particle& GridSlam::best() const {
 Pose2 GridSlam::pose() const {
   if (particles_.empty()) return {};
   return best().pose *
-         motion_between(updates_.back().track_from_robot, scans_.back().track_from_robot);
+         motion_between(updates_.back().seen_from_robot, scans_.back().seen_from_robot);
 }
 
 // Between two updates, carried from both by odometry and scan matching, and blended by time.
@@ -244,7 +246,7 @@ Pose2 GridSlam::pose_of(const SeenScan& scan, const std::vector<Pose2>& update_p
   const std::size_t before = scan.updates - 1;
   const auto carried_from = [&](std::size_t update) {
     return update_poses[update] *
-           motion_between(updates_[update].track_from_robot, scan.track_from_robot);
+           motion_between(updates_[update].seen_from_robot, scan.seen_from_robot);
   };
   const Pose2 from_before = carried_from(before);
   if (before + 1 >= updates_.size()) return from_before;
@@ -282,10 +284,8 @@ std::vector<Pose2> GridSlam::settled_path(const Particle& particle) const {
 std::vector<GridSlam::Motion> GridSlam::motions() const {
   std::vector<Motion> result;
   for (std::size_t i = 1; i < updates_.size(); ++i) {
-    const Update& from = updates_[i - 1];
-    const Update& to = updates_[i];
-    result.push_back({from.time, to.time,
-                      motion_between(from.track_from_robot, to.track_from_robot), to.condensed});
+    if (!updates_[i].is_condensed) continue;
+    result.push_back({updates_[i - 1].time, updates_[i].condensed_until, updates_[i].condensed});
   }
   return result;
 }

@@ -83,7 +83,8 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
 // No measurement is used twice: the matcher does not remember the scans that weight. Where scans
 // are so far apart that each one weights, there is nothing to condense: then Proposal::improved
 // lets the matcher see them, and the prior of the motion is that of odometry. From a match of the
-// update's own scan it takes only where the search for each particle's optimum starts.
+// update's own scan it takes only where the search for each particle's optimum starts, and
+// where the next motion begins.
 //
 // With best_only_after_loop it is the maximum-likelihood continuation of section 5.4.2, the earlier
 // way to close loops: a posterior over poses in a single map. The paths that were possible up to a
@@ -98,11 +99,11 @@ class GridSlam : public Estimator {
 
   Hypotheses hypotheses() const override;
 
-  // What the particles were told of their motion from one update to the next.
+  // What the particles were told of their motion from an update to the last scan before the next
+  // one, by scan matching. The rest of the way is odometry's.
   struct Motion {
-    double from_time = 0.0, to_time = 0.0;  // [s] of the updates
-    Pose2 motion;                           // by odometry and scan matching
-    bool condensed = false;  // of the scans in between alone: the update's own is not in it
+    double from_time = 0.0, to_time = 0.0;  // [s]
+    Pose2 motion;
   };
   std::vector<Motion> motions() const;
 
@@ -115,14 +116,16 @@ class GridSlam : public Estimator {
   };
   struct SeenScan {
     double time = 0.0;
-    Pose2 track_from_robot;   // by odometry and scan matching alone
+    Pose2 seen_from_robot;    // by odometry and scan matching alone
     std::size_t updates = 0;  // made before this scan, or with it
   };
   struct Update {
     double time = 0.0;
     Pose2 track_from_robot;
-    Pose2 seen_from_robot;  // the same with the help of the update's scan
-    bool condensed = false;
+    Pose2 seen_from_robot;         // the same with the help of the update's scan
+    Pose2 condensed;               // motion by scan matching, up to the last scan before
+    double condensed_until = 0.0;  // [s] stamp of that
+    bool is_condensed = false;     // there was one, and the matcher does not know the update's scan
     double effective_number = 0.0;
     bool resampled = false;
   };

@@ -127,6 +127,24 @@ Calibration calibration_of(const std::vector<MotionSample>& samples,
   return {sum / count, inside / count};
 }
 
+double error_memory_of(const std::vector<MotionSample>& samples, const MotionModelOptions& model) {
+  CHECK(samples.size() >= 2);
+  double squares = 0.0, products = 0.0;
+  Eigen::Vector3d before = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const PosePrior prior = gaussian_after({}, samples[i].measured, model);
+    const Eigen::Vector3d error = vector_of(motion_between(prior.mean, samples[i].reference));
+    // P = L L^T: the components of L^T e are independent and of unit variance.
+    const Eigen::Vector3d whitened = prior.information.llt().matrixU() * error;
+    if (i > 0) {
+      products += whitened.dot(before);
+      squares += 0.5 * (whitened.squaredNorm() + before.squaredNorm());
+    }
+    before = whitened;
+  }
+  return squares > 0.0 ? products / squares : 0.0;
+}
+
 MotionModelOptions load_motion_model(const std::string& name_or_path) {
   const std::string path =
       find_data_file("motion model", "algorithms/rbpf/motion_models", name_or_path).string();

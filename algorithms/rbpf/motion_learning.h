@@ -33,6 +33,10 @@ struct Calibration {
 Calibration calibration_of(const std::vector<MotionSample>& samples,
                            const MotionModelOptions& model);
 
+// How much of one motion's error the next one repeats: the correlation of successive errors, each
+// in units of the model's spread. 0 for independent ones; samples in order of time, two at least.
+double error_memory_of(const std::vector<MotionSample>& samples, const MotionModelOptions& model);
+
 // A parameter file, by its name in algorithms/rbpf/motion_models or by its path. Throws InputError.
 MotionModelOptions load_motion_model(const std::string& name_or_path);
 

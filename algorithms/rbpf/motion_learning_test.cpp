@@ -111,6 +111,15 @@ TEST(MotionLearning, AModelThatIsTooSureIsFoundOut) {
   EXPECT_LT(calibration.inside, 0.8);
 }
 
+TEST(MotionLearning, IndependentErrorsHaveNoMemoryAndRepeatedOnesDo) {
+  const auto samples = samples_of(kTruth, 3000);
+  // 9000 products of independent unit normals: a standard error of 1 / sqrt(9000); four of them.
+  EXPECT_NEAR(error_memory_of(samples, kTruth), 0.0, 4 / std::sqrt(9000.0));
+  // The same error over and over.
+  const std::vector<MotionSample> same(100, {Pose2{0.5, 0.0, 0.0}, Pose2{0.52, 0.01, 0.02}});
+  EXPECT_NEAR(error_memory_of(same, kTruth), 1.0, 1e-12);
+}
+
 TEST(MotionModelFile, AllAreRead) {
   const std::vector<std::string> names = data_names("algorithms/rbpf/motion_models");
   EXPECT_FALSE(names.empty());

@@ -73,8 +73,7 @@ Motions motions_of(const MotionModelsExperiment& options, const RunInput& input)
   for (const GridSlam::Motion& step : filter.motions()) {
     const auto reference = between(references, step);
     const auto by_odometry = between(odometry, step);
-    // Only motions that do not know the scan at their end, as the particles get them.
-    if (!step.condensed || !reference || !by_odometry) continue;
+    if (!reference || !by_odometry) continue;
     result.odometry.push_back({*by_odometry, *reference});
     result.matching.push_back({step.motion, *reference});
   }
@@ -200,6 +199,7 @@ void report_calibration(const std::string& name, const std::vector<MotionSample>
   const Calibration calibration = calibration_of(held_out, model);
   outcome.values.emplace_back(name + "_normalized_error", calibration.normalized_error);
   outcome.values.emplace_back(name + "_inside", calibration.inside);
+  outcome.values.emplace_back(name + "_error_memory", error_memory_of(held_out, model));
 }
 
 // Learns, and checks on the held-out half.
@@ -280,6 +280,8 @@ void add_metrics(const std::string& name, const std::string& what, std::vector<M
   add("cloud_area", Unit::none, "[m^2] of the 95 % ellipse of x and y after the last move");
   add("normalized_error", Unit::none, "mean squared error on held-out motions by the model's own");
   add("inside", Unit::none, "share of held-out motions within the model's 95 % ellipsoid");
+  add("error_memory", Unit::none, "correlation of the errors of successive held-out motions");
+  add("file_error_memory", Unit::none, "the correlation, by the parameter file");
   add("file_normalized_error", Unit::none, "the mean squared error, by the parameter file");
   add("file_inside", Unit::none, "the share inside, by the parameter file");
   add("turn_noise", Unit::radian, "learned spread of a turn after 1 rad");

@@ -1,5 +1,6 @@
 #include "bench/experiments/particle_figures.h"
 
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -11,11 +12,16 @@ namespace {
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
+// Finer than any picture; full digits would make the files of many paths three times as long.
+double rounded(double value) {
+  return std::round(1000.0 * value) / 1000.0;
+}
+
 void append(const Trajectory& path, const Pose2& world_from_path, Series& series) {
   for (const StampedPose& stamped : path) {
     const Pose2 pose = world_from_path * stamped.pose;
-    series.x.push_back(pose.x);
-    series.y.push_back(pose.y);
+    series.x.push_back(rounded(pose.x));
+    series.y.push_back(rounded(pose.y));
   }
   series.x.push_back(kGap);
   series.y.push_back(kGap);
@@ -58,10 +64,11 @@ std::vector<ResultFile> diversity_figure(const Hypotheses& hypotheses) {
   Series effective{.name = "effective number of particles", .mark = Mark::path};
   const double start = hypotheses.diversity.front().time;
   for (const Diversity& update : hypotheses.diversity) {
-    ancestors.x.push_back(update.time - start);
+    const double time = rounded(update.time - start);
+    ancestors.x.push_back(time);
     ancestors.y.push_back(update.distinct_ancestors);
-    effective.x.push_back(update.time - start);
-    effective.y.push_back(update.effective_number);
+    effective.x.push_back(time);
+    effective.y.push_back(rounded(update.effective_number));
   }
   const Plot plot{.title = "How many possibilities the particles hold",
                   .subtitle = "the first seed; before resampling at each update",
