@@ -10,8 +10,9 @@
 namespace mapbed {
 namespace {
 
-RecordedLog two_rounds() {
+RecordedLog two_rounds(double drift_sigma = 0.02) {
   DriveOptions drive;
+  drive.drift_sigma = drift_sigma;
   drive.laser.max_range = 15.0;
   TestRoom room = ring_corridor();
   room.add_box({3.0, -4.3}, 0.4, 0.3);
@@ -157,6 +158,23 @@ TEST(GridSlam, CondensedMotionsAreBetterThanOdometry) {
     turned_by_matching += std::abs(angle_difference(turn, step.motion.theta));
   }
   EXPECT_LT(turned_by_matching, turned_by_odometry);
+}
+
+// Scans between updates must not inherit the error of odometry's last step to an update.
+TEST(GridSlam, PosesBetweenUpdatesAreAsGoodAsScanMatching) {
+  const RecordedLog log = two_rounds(/*turn noise after 1 m*/ 0.2);
+  GridSlamOptions options;
+  options.particles = 10;
+  const Trajectory path = run(log, options).trajectory;
+  int far_off = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Pose2 truth = motion_between(*pose_at(log.true_poses, path[i - 1].time),
+                                       *pose_at(log.true_poses, path[i].time));
+    const double turn = motion_between(path[i - 1].pose, path[i].pose).theta;
+    if (std::abs(angle_difference(truth.theta, turn)) > radians(3.0)) ++far_off;
+  }
+  // Odometry errs by more than that on a third of the steps of 0.125 m (0.07 rad each).
+  EXPECT_LT(far_off, static_cast<int>(path.size() / 50));
 }
 
 TEST(GridSlam, StaysFiniteWhenTheLaserSeesNothingAndOdometryJumps) {

@@ -27,6 +27,11 @@ void append(const Trajectory& path, const Pose2& world_from_path, Series& series
   series.y.push_back(kGap);
 }
 
+// All of today's are their own ancestors.
+int particles_of(const Hypotheses& hypotheses) {
+  return hypotheses.diversity.empty() ? 1 : hypotheses.diversity.back().distinct_ancestors;
+}
+
 std::vector<ResultFile> files_of(const std::string& name, const Plot& plot) {
   return {{"figures/" + name + ".svg", svg_of(plot)}, {"figures/" + name + ".csv", csv_of(plot)}};
 }
@@ -49,7 +54,8 @@ std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajecto
   append(so_far, Pose2{}, true_path);
   const std::string time = fmt::format("{:.0f}", seconds);
   const Plot plot{
-      .title = "What the particles hold possible after " + time + " s",
+      .title =
+          fmt::format("What {} particles hold possible after {} s", particles_of(hypotheses), time),
       .subtitle = "the first seed, not aligned: all start at one pose; beside Figure 5.7",
       .x = {"x", "m"},
       .y = {"y", "m"},
@@ -70,11 +76,12 @@ std::vector<ResultFile> diversity_figure(const Hypotheses& hypotheses) {
     effective.x.push_back(time);
     effective.y.push_back(rounded(update.effective_number));
   }
-  const Plot plot{.title = "How many possibilities the particles hold",
-                  .subtitle = "the first seed; before resampling at each update",
-                  .x = {"time since the start", "s"},
-                  .y = {.label = "particles", .logarithmic = true},
-                  .series = {effective, ancestors}};
+  const Plot plot{
+      .title = fmt::format("How many possibilities {} particles hold", particles_of(hypotheses)),
+      .subtitle = "the first seed; before resampling at each update",
+      .x = {"time since the start", "s"},
+      .y = {.label = "particles", .logarithmic = true},
+      .series = {effective, ancestors}};
   return files_of("diversity", plot);
 }
 

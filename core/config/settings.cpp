@@ -19,6 +19,7 @@ bool is_valid_path(std::string_view path) {
 void collect_leaves(const ConfigNode& node, const std::string& path, Settings& leaves) {
   if (node.kind() != ConfigNode::Kind::map || (node.keys().empty() && !path.empty())) {
     leaves.push_back({path, node.flow_text(), node.place()});
+    node.use_all();  // the entries of a list
     return;
   }
   for (const std::string& key : node.keys()) {

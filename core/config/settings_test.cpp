@@ -89,6 +89,14 @@ TEST(Settings, NestedAndDottedPathsAreTheSame) {
                      "x.yaml:2: 'odometry.rotation_sigma' was already set in line 1");
 }
 
+TEST(Settings, AListInAGroupCountsAsUsedWithAllItsEntries) {
+  const ConfigNode node = parse_config("a: {times: [340 s, 430 s]}", {"x.yaml", 1});
+  const Settings settings = settings_of(node.at("a"));
+  ASSERT_EQ(settings.size(), 1U);
+  EXPECT_EQ(settings[0].text, "[340 s, 430 s]");
+  EXPECT_NO_THROW(node.check_all_used());
+}
+
 TEST(Settings, TheLaterOfTwoWins) {
   EXPECT_EQ(robot_with({parse_setting("beams=3"), parse_setting("beams=5")}).beams, 5);
 }
