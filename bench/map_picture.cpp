@@ -156,16 +156,16 @@ Rgb color_of_path(std::size_t path) {
   return categorical_color(static_cast<int>(path) + 1);  // 0 is black, as walls are
 }
 
-void draw_path(RgbImage& image, const DrawnPath& path, const Rgb& color, const OccupancyMap& map,
-               const Layout& layout) {
+void draw_path(RgbImage& image, const DrawnPath& path, const Rgb& color, double width,
+               const OccupancyMap& map, const Layout& layout) {
   if (path.map_from_robot.empty()) return;
   std::vector<Eigen::Vector2d> points;
   for (const StampedPose& stamped : path.map_from_robot) {
     points.push_back(pixel_of(stamped.pose.position(), map, layout));
   }
-  draw_polyline(image, points, {.color = color, .width = 1.8, .opacity = 0.9});
+  draw_polyline(image, points, {.color = color, .width = width, .opacity = 0.9});
   fill_disc(image, points.front(), 6.5, kWhite);
-  fill_disc(image, points.front(), 5.0, color);
+  fill_disc(image, points.front(), 5.0, kBlack);
 }
 
 // The largest of 1, 2, 5, 10, … m that is at most `longest` metres.
@@ -205,7 +205,7 @@ std::vector<LegendItem> legend_of(const std::vector<DrawnPath>& paths) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     items.push_back({LegendItem::Kind::line, color_of_path(i), paths[i].name});
   }
-  if (!paths.empty()) items.push_back({LegendItem::Kind::disc, color_of_path(0), "start"});
+  if (!paths.empty()) items.push_back({LegendItem::Kind::disc, kBlack, "start"});
   items.push_back({LegendItem::Kind::area, kBlack, "occupied"});
   items.push_back({LegendItem::Kind::area, kWhite, "free"});
   items.push_back({LegendItem::Kind::area, kUnknown, "unknown"});
@@ -256,7 +256,8 @@ RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths
   RgbImage image(width + 2 * kMargin, layout.height() + 3 * kMargin + legend_height, kWhite);
   paste_enlarged(image_of_blocks(map, layout), layout.pixels_per_cell, image);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    draw_path(image, paths[i], color_of_path(i), map, layout);
+    const double width = 1.8 + 2.4 * static_cast<double>(paths.size() - 1 - i);
+    draw_path(image, paths[i], color_of_path(i), width, map, layout);
   }
 
   const Eigen::Vector2d below(kMargin, layout.height() + 2 * kMargin + kRowHeight / 2);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/config/option.h"
@@ -29,6 +30,7 @@ struct SweepAxis {
   std::vector<std::string> texts;  // as written: "2 deg"
   std::vector<double> numbers;     // 2 for "2 deg"; empty where one of the texts is no number
   std::string unit;                // "deg"; empty where there is none or they differ
+  Place place = {};                // in the scenario
 };
 
 // A level is one combination of the axes' values; its number counts the last axis fastest.
@@ -98,6 +100,8 @@ struct PlotSpec {
   std::string value;     // of a heat map: the metric that the colours show
   std::string lines_by;  // path of a second axis, a line for each of its values; or empty
   std::vector<std::string> variants;  // empty: all
+  // Path of an axis and the values of it that are shown, as written; others are shown whole.
+  std::vector<std::pair<std::string, std::vector<std::string>>> at = {};
   std::vector<PlotReference> references = {};
   bool log_x = false;
   bool log_y = false;

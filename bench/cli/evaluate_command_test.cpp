@@ -2,30 +2,21 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include <gmock/gmock.h>
 
-#include "bench/cli/program_under_test.h"
+#include "bench/cli/command_test.h"
 #include "core/text_file.h"
 
 namespace mapbed {
 namespace {
 
 using ::testing::AllOf;
-using ::testing::EndsWith;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 using ::testing::StartsWith;
 
-// Wrong input ends with status 1, one line on stderr and nothing on stdout.
 void expect_refusal(const std::vector<std::string>& arguments, const std::string& message) {
-  const Outcome outcome = run_mapbed(arguments);
-  EXPECT_EQ(outcome.status, 1) << outcome.err;
-  EXPECT_THAT(outcome.err, AllOf(StartsWith("mapbed: "), HasSubstr(message), EndsWith("\n")));
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  EXPECT_THAT(outcome.out, IsEmpty());
+  expect_refused(run_mapbed(arguments), message);
 }
 
 TEST(Program, TellsWhatItCanDo) {
@@ -63,12 +54,9 @@ TEST(Program, ListsAndDescribesMethods) {
   EXPECT_THAT(run_mapbed({"describe", "map"}).out, HasSubstr("resolution: 0.05 m  # "));
 }
 
-class Evaluate : public ::testing::Test {
+class Evaluate : public CommandTest {
  protected:
   Evaluate() {
-    folder_ =
-        std::filesystem::temp_directory_path() / ("mapbed_evaluate_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
     // Straight ahead at 1 m/s; in the second file the robot stood still first, by its odometry.
     write("estimate.tum", "0 0 0 0 0 0 0 1\n10 10 0 0 0 0 0 1\n");
     write("odometry.txt", "# t x y theta\n0 0 0 0\n5 0 0 0\n10 8 0 0\n");
@@ -76,14 +64,6 @@ class Evaluate : public ::testing::Test {
     write("some.relations", "0 5 1 0 0 0 0 0.1\n0 99 1 0 0 0 0 0\n");
     write("truth.txt", "0 1 0 0\n10 11 0 0\n");
   }
-  ~Evaluate() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ / name; }
-  void write(const std::string& name, const std::string& content) const {
-    std::ofstream(path(name)) << content;
-  }
-
-  std::filesystem::path folder_;
 };
 
 TEST_F(Evaluate, PrintsTheRelationsMetricWithAndWithoutOdometry) {
@@ -132,7 +112,7 @@ TEST_F(Evaluate, SaysWhatIsWrongWithItsFiles) {
   write("late", "1000 1005 1 0 0 0 0 0\n");
   expect_refusal({"evaluate", estimate}, "give --relations or --truth");
   expect_refusal({"evaluate", path("absent"), "--relations", relations}, "absent: no such file");
-  expect_refusal({"evaluate", estimate, "--relations", folder_}, "is a folder");
+  expect_refusal({"evaluate", estimate, "--relations", path()}, "is a folder");
   expect_refusal({"evaluate", path("empty"), "--relations", relations}, "empty");
   expect_refusal({"evaluate", path("words"), "--relations", relations}, "words:1: ");
   expect_refusal({"evaluate", estimate, "--relations", path("empty")}, "holds no relation");

@@ -1,59 +1,41 @@
 // `mapbed map` from the command line to the files that it writes.
 
-#include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "bench/cli/program_under_test.h"
+#include "bench/cli/command_test.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
 #include "core/log/carmen_log.h"
 #include "core/testing/test_room.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 using ::testing::StartsWith;
 
 namespace fs = std::filesystem;
 
-class MapCommand : public ::testing::Test {
+class MapCommand : public CommandTest {
  protected:
   MapCommand() {
-    folder_ = fs::temp_directory_path() / ("mapbed_map_" + std::to_string(::getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     DriveOptions drive;
     drive.laser.beams = 180;
     drive.laser.max_range = 80.0;
     log_ = drive_through(rectangular_room(6.0, 4.0), {{-1.0, 0.0}, {1.5, 0.0}}, drive, Rng(1));
     write_carmen_log(path("room.log"), log_);
   }
-  ~MapCommand() override { fs::remove_all(folder_); }
 
-  std::string path(const std::string& name) const { return folder_ / name; }
-  std::string text(const std::string& name) const { return read_text_file(path(name)); }
   Outcome run(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"map", "room.log", "--method", "odometry"});
-    return run_mapbed(arguments, folder_);
-  }
-  void expect_refusal(const std::vector<std::string>& arguments, const std::string& message) const {
-    const Outcome outcome = run_mapbed(arguments, folder_);
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_THAT(outcome.err, HasSubstr(message));
-    EXPECT_THAT(outcome.err, StartsWith("mapbed: "));
+    return call(arguments);
   }
 
-  fs::path folder_;
   RecordedLog log_;
 };
 
@@ -90,30 +72,27 @@ TEST_F(MapCommand, TheSameCommandGivesTheSameBytes) {
 TEST_F(MapCommand, ItsConfigurationRepeatsTheRun) {
   ASSERT_EQ(run({"--out", "a", "--resolution", "10 cm", "--set", "map.model=odds"}).status, 0);
   EXPECT_THAT(text("a/config.yaml"), AllOf(HasSubstr("resolution: 0.1 m"), HasSubstr("odds")));
-  const Outcome again =
-      run_mapbed({"map", "room.log", "--config", "a/config.yaml", "--out", "b"}, folder_);
+  const Outcome again = call({"map", "room.log", "--config", "a/config.yaml", "--out", "b"});
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_EQ(text("a/config.yaml"), text("b/config.yaml"));
   EXPECT_EQ(text("a/map.png"), text("b/map.png"));
 }
 
 TEST_F(MapCommand, TakesALogByItsDescriptionOrName) {
-  const Outcome by_name =
-      run_mapbed({"map", "example", "--method", "odometry", "--out", "by_name"}, folder_);
+  const Outcome by_name = call({"map", "example", "--method", "odometry", "--out", "by_name"});
   ASSERT_EQ(by_name.status, 0) << by_name.err;
   const Outcome by_file =
-      run_mapbed({"map", std::string(MAPBED_SOURCE_DIR) + "/scenarios/logs/example.yaml",
-                  "--method", "odometry", "--out", "by_file"},
-                 folder_);
+      call({"map", std::string(MAPBED_SOURCE_DIR) + "/scenarios/logs/example.yaml", "--method",
+            "odometry", "--out", "by_file"});
   ASSERT_EQ(by_file.status, 0) << by_file.err;
   EXPECT_EQ(text("by_name/map.png"), text("by_file/map.png"));
   expect_refusal({"map", "exampel"}, "did you mean 'example'?");
 }
 
 TEST_F(MapCommand, SaysWhatIsWrongWithTheLog) {
-  std::ofstream(path("empty.log")) << "";
-  std::ofstream(path("words.log")) << "once upon a time\n";
-  std::ofstream(path("drive.bag")) << "#ROSBAG V2.0\n";
+  write("empty.log", "");
+  write("words.log", "once upon a time\n");
+  write("drive.bag", "#ROSBAG V2.0\n");
   expect_refusal({"map", "absent.log"}, "absent.log: ");
   expect_refusal({"map", "."}, "folder");
   expect_refusal({"map", "empty.log"}, "empty.log");
@@ -123,8 +102,8 @@ TEST_F(MapCommand, SaysWhatIsWrongWithTheLog) {
 }
 
 TEST_F(MapCommand, SaysWhatIsWrongWithItsOptions) {
-  std::ofstream(path("wrong.yaml")) << "map:\n  resolutoin: 5 cm\n";
-  std::ofstream(path("not.yaml")) << "map: [1, 2\n";
+  write("wrong.yaml", "map:\n  resolutoin: 5 cm\n");
+  write("not.yaml", "map: [1, 2\n");
   expect_refusal({"map", "room.log", "--method", "odometri"},
                  "unknown method 'odometri'; did you mean 'odometry'?");
   expect_refusal({"map", "room.log", "--methd", "odometry"}, "did you mean '--method'?");
@@ -140,7 +119,7 @@ TEST_F(MapCommand, SaysWhatIsWrongWithItsOptions) {
 }
 
 TEST_F(MapCommand, SaysBeforeTheWorkThatTheFolderWillNotDo) {
-  std::ofstream(path("file")) << "x";
+  write("file", "x");
   expect_refusal({"map", "room.log", "--out", "file"}, "file: ");
   expect_refusal({"map", "room.log", "--out", "/dev/null/x"}, "choose another folder with --out");
   if (geteuid() != 0) {  // root may write everywhere
@@ -154,7 +133,7 @@ TEST_F(MapCommand, LeavesNoHalfWrittenFileOnAFullDisk) {
   // No file may grow beyond 2 kB, as if the disk were full then.
   const Outcome outcome = run_shell(
       "trap '' XFSZ; ulimit -f 4; exec \"$MAPBED\" map room.log --method odometry --out full",
-      folder_);
+      path());
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("mapbed: full/"));
   for (const fs::directory_entry& file : fs::directory_iterator(path("full"))) {
@@ -170,7 +149,7 @@ TEST_F(MapCommand, EndsWithItsOwnStatusWhenItIsInterrupted) {
       "\"$MAPBED\" map pipe.log --method odometry --out none & program=$!\n"
       "exec 3>pipe.log; sleep 0.2; kill -INT $program; cat room.log >&3; exec 3>&-\n"
       "wait $program",
-      folder_);
+      path());
   EXPECT_EQ(outcome.status, 3) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("interrupted before the first scan; nothing was written"));
   EXPECT_FALSE(fs::exists(path("none/summary.json")));

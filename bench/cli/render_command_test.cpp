@@ -1,60 +1,41 @@
 // `mapbed render` from the command line to the picture.
 
 #include <filesystem>
-#include <fstream>
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include "algorithms/grid/map_file.h"
 #include "algorithms/grid/map_image.h"
-#include "bench/cli/program_under_test.h"
+#include "bench/cli/command_test.h"
 #include "core/image/png.h"
 
 namespace mapbed {
 namespace {
 
-using ::testing::HasSubstr;
-
 namespace fs = std::filesystem;
 
-class RenderCommand : public ::testing::Test {
+class RenderCommand : public CommandTest {
  protected:
   RenderCommand() {
-    folder_ = fs::temp_directory_path() / ("mapbed_render_" + std::to_string(::getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     OccupancyMap map(GridFrame{.resolution = 0.1, .origin = {-2.0, 1.0}});
     for (int x = 0; x < 50; ++x) {
       for (int y = 0; y < 30; ++y) map.at({x, y}) = known(x == 0 ? 1.0 : 0.25 * (y % 2));
     }
     write_map(path("room"), map);
     write_png(path("room.png"), to_image(map));
-    std::ofstream(path("drive.txt")) << "0 -1 2 0\n1 2 3 0\n";
+    write("drive.txt", "0 -1 2 0\n1 2 3 0\n");
   }
-  ~RenderCommand() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ / name; }
-  void expect_refusal(const std::vector<std::string>& arguments, const std::string& message) const {
-    const Outcome outcome = run_mapbed(arguments, folder_);
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_THAT(outcome.err, HasSubstr(message));
-  }
-
-  fs::path folder_;
 };
 
 TEST_F(RenderCommand, DrawsAWorldByItsNameAndByItsFile) {
   const Outcome by_name =
-      run_mapbed({"render", "corridor", "-o", "corridor.png", "--set", "length=12 m", "--set",
-                  "doors_a_side=2", "--camera", "width=64", "--camera", "height=48"},
-                 folder_);
+      call({"render", "corridor", "-o", "corridor.png", "--set", "length=12 m", "--set",
+            "doors_a_side=2", "--camera", "width=64", "--camera", "height=48"});
   ASSERT_EQ(by_name.status, 0) << by_name.err;
   EXPECT_EQ(read_rgb_png(path("corridor.png")).width(), 64);
-  std::ofstream(path("lab.yaml")) << "shapes: [{name: crate, box: [1 m, 1 m, 1 m]}]\n";
-  const Outcome by_file = run_mapbed(
-      {"render", "lab.yaml", "-o", "lab.png", "--camera", "width=32", "--camera", "height=32"},
-      folder_);
+  write("lab.yaml", "shapes: [{name: crate, box: [1 m, 1 m, 1 m]}]\n");
+  const Outcome by_file = call(
+      {"render", "lab.yaml", "-o", "lab.png", "--camera", "width=32", "--camera", "height=32"});
   ASSERT_EQ(by_file.status, 0) << by_file.err;
   EXPECT_EQ(read_rgb_png(path("lab.png")).height(), 32);
 }
@@ -65,8 +46,8 @@ TEST_F(RenderCommand, DrawsARobotOnItsWayThroughAWorld) {
   std::vector<std::string> together = alone;
   together[3] = "together.png";
   together.insert(together.end(), {"--robot", "pioneer", "--after", "1 s"});
-  ASSERT_EQ(run_mapbed(alone, folder_).status, 0);
-  const Outcome outcome = run_mapbed(together, folder_);
+  ASSERT_EQ(call(alone).status, 0);
+  const Outcome outcome = call(together);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(read_rgb_png(path("alone.png")), read_rgb_png(path("together.png")));
 }
@@ -80,11 +61,10 @@ TEST_F(RenderCommand, SaysWhatIsWrongWithAWorld) {
 }
 
 TEST_F(RenderCommand, DrawsAMapWithItsTrajectory) {
-  const Outcome plain = run_mapbed({"render", "room.yaml", "-o", "plain.png"}, folder_);
+  const Outcome plain = call({"render", "room.yaml", "-o", "plain.png"});
   ASSERT_EQ(plain.status, 0) << plain.err;
-  const Outcome drawn = run_mapbed({"render", "room.yaml", "--output", "drawn.png", "--trajectory",
-                                    "drive.txt", "--name", "by odometry"},
-                                   folder_);
+  const Outcome drawn = call({"render", "room.yaml", "--output", "drawn.png", "--trajectory",
+                              "drive.txt", "--name", "by odometry"});
   ASSERT_EQ(drawn.status, 0) << drawn.err;
   const RgbImage a = read_rgb_png(path("plain.png"));
   const RgbImage b = read_rgb_png(path("drawn.png"));
@@ -93,19 +73,16 @@ TEST_F(RenderCommand, DrawsAMapWithItsTrajectory) {
 }
 
 TEST_F(RenderCommand, APictureKeepsItsGreysAndTakesItsPlaceFromTheFileBesideIt) {
-  const Outcome outcome =
-      run_mapbed({"render", "room.png", "-o", "a.png", "--trajectory", "drive.txt"}, folder_);
+  const Outcome outcome = call({"render", "room.png", "-o", "a.png", "--trajectory", "drive.txt"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   fs::remove(path("room.yaml"));
   expect_refusal({"render", "room.png", "-o", "b.png"}, "add --resolution");
-  EXPECT_EQ(
-      run_mapbed({"render", "room.png", "-o", "b.png", "--resolution", "10 cm"}, folder_).status,
-      0);
+  EXPECT_EQ(call({"render", "room.png", "-o", "b.png", "--resolution", "10 cm"}).status, 0);
 }
 
 TEST_F(RenderCommand, SaysWhatIsWrong) {
-  std::ofstream(path("text.png")) << "no picture";
-  std::ofstream(path("half.yaml")) << "image: room.pgm\n";
+  write("text.png", "no picture");
+  write("half.yaml", "image: room.pgm\n");
   expect_refusal({"render", "room.yaml"}, "--output is required");
   expect_refusal({"render", "absent.yaml", "-o", "x.png"}, "absent.yaml");
   expect_refusal({"render", "drive.txt", "-o", "x.png"}, "drive.txt: is no map");

@@ -1,15 +1,12 @@
 // `mapbed run` from a scenario file to its results.
 
 #include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "bench/cli/program_under_test.h"
+#include "bench/cli/command_test.h"
 #include "bench/results_file.h"
-#include "core/testing/temporary_folder.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 namespace {
@@ -31,35 +28,28 @@ constexpr const char* kDrives =
     "metrics: [translation_error, largest_error, failures, map_f1]\n"
     "claims: [{metric: failures, of: matched, at_most: raw}]\n";
 
-class RunCommand : public ::testing::Test {
+class RunCommand : public CommandTest {
  protected:
   RunCommand() { write("drives.yaml", kDrives); }
 
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_.file(name)) << text;
-  }
   Outcome run(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"run", "./drives.yaml"});
-    return run_mapbed(arguments, folder_.file("."));
+    return call(arguments);
   }
   void expect_same_results(const std::string& a, const std::string& b) const {
     for (const char* name : {"config.yaml", "runs.csv", "summary.csv", "claims.csv"}) {
-      EXPECT_EQ(read_text_file(folder_.file(a + "/" + name)),
-                read_text_file(folder_.file(b + "/" + name)))
-          << name;
+      EXPECT_EQ(read_text_file(path(a + "/" + name)), read_text_file(path(b + "/" + name))) << name;
     }
-    for (const auto& entry : fs::recursive_directory_iterator(folder_.file(a))) {
-      const fs::path other = folder_.file(b) / fs::relative(entry.path(), folder_.file(a));
+    for (const auto& entry : fs::recursive_directory_iterator(path(a))) {
+      const fs::path other = path(b) / fs::relative(entry.path(), path(a));
       ASSERT_TRUE(fs::exists(other)) << other;
       const bool is_picture =
           entry.path().extension() == ".png" || entry.path().extension() == ".tum";
       if (!is_picture) continue;
       EXPECT_EQ(read_text_file(entry.path()), read_text_file(other)) << other;
     }
-    EXPECT_FALSE(fs::exists(folder_.file(b + "/runs")));
+    EXPECT_FALSE(fs::exists(path(b + "/runs")));
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(RunCommand, GivesTheSameBytesWithAnyNumberOfThreads) {
@@ -70,7 +60,7 @@ TEST_F(RunCommand, GivesTheSameBytesWithAnyNumberOfThreads) {
   }
   expect_same_results("j1", "j2");
   expect_same_results("j1", "j8");
-  const Results results = load_results(folder_.file("j1"));
+  const Results results = load_results(path("j1"));
   EXPECT_EQ(results.runs.size(), 24u);
   EXPECT_EQ(results.summary.size(), 2u * 2u * 4u);
   EXPECT_EQ(results.claims.size(), 1u);
@@ -81,14 +71,14 @@ TEST_F(RunCommand, GoesOnAfterAKillAtAnyMoment) {
   // Killed as soon as more than so many lines, of 25, are in the journal.
   for (int round = 0; round < 12; ++round) {
     SCOPED_TRACE(round);
-    fs::remove_all(folder_.file("cut"));
+    fs::remove_all(path("cut"));
     const Outcome killed = run_shell(
         fmt::format("$MAPBED run ./drives.yaml -j 2 --out cut & p=$!\n"
                     "while kill -0 $p && [ $(wc -l < cut/runs/journal || echo 0) -le {} ]; do :; "
                     "done\n"
                     "kill -KILL $p; wait $p",
                     round),
-        folder_.file("."));
+        path());
     EXPECT_EQ(killed.status, 128 + 9);
     const Outcome outcome = run({"-j", "2", "--out", "cut"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -102,31 +92,31 @@ TEST_F(RunCommand, RepeatsOneRunAlone) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string row = outcome.out.substr(outcome.out.find('\n') + 1);
   EXPECT_THAT(row, ::testing::StartsWith("17,"));
-  EXPECT_THAT(read_text_file(folder_.file("all/runs.csv")), HasSubstr(row));
+  EXPECT_THAT(read_text_file(path("all/runs.csv")), HasSubstr(row));
 }
 
 TEST_F(RunCommand, DoesNothingTwice) {
   ASSERT_EQ(run({"--out", "r"}).status, 0);
-  const std::string before = read_text_file(folder_.file("r/provenance.json"));
+  const std::string before = read_text_file(path("r/provenance.json"));
   const Outcome again = run({"--out", "r"});
   EXPECT_THAT(again.out, HasSubstr("24 were done before, 0 recordings made"));
-  EXPECT_EQ(read_text_file(folder_.file("r/provenance.json")), before);
+  EXPECT_EQ(read_text_file(path("r/provenance.json")), before);
 }
 
 TEST_F(RunCommand, OtherPlotsAndClaimsNeedNoOtherRuns) {
   write("other.yaml", "base: drives.yaml\nabout: in other words\nplots: [{y: largest_error}]\n");
   const auto run_into_r = [&](const std::string& scenario) {
-    return run_mapbed({"run", scenario, "--set", "seeds=2", "--out", "r"}, folder_.file("."));
+    return call({"run", scenario, "--set", "seeds=2", "--out", "r"});
   };
   ASSERT_EQ(run_into_r("./drives.yaml").status, 0);
   const Outcome again = run_into_r("./other.yaml");
   EXPECT_THAT(again.out, HasSubstr("8 were done before, 0 recordings made"));
-  EXPECT_THAT(read_text_file(folder_.file("r/report.html")), HasSubstr("in other words"));
-  const std::string figure = folder_.file("r/figures/largest_error.svg");
+  EXPECT_THAT(read_text_file(path("r/report.html")), HasSubstr("in other words"));
+  const std::string figure = path("r/figures/largest_error.svg");
   const std::string drawn = read_text_file(figure);
 
   fs::remove(figure);
-  EXPECT_EQ(run_mapbed({"report", "r"}, folder_.file(".")).status, 0);
+  EXPECT_EQ(call({"report", "r"}).status, 0);
   EXPECT_EQ(read_text_file(figure), drawn);
 
   run_into_r("./drives.yaml");
@@ -137,7 +127,7 @@ TEST_F(RunCommand, TheExitStatusTellsWhetherClaimsHold) {
   write("no.yaml", "base: drives.yaml\nseeds: 1\nclaims: [{metric: largest_error, below: 0 m}]\n");
   const auto status = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"run", "./no.yaml", "--out", "no"});
-    return run_mapbed(more, folder_.file(".")).status;
+    return call(more).status;
   };
   EXPECT_EQ(status({}), 0);
   EXPECT_EQ(status({"--strict"}), 2);
@@ -155,7 +145,7 @@ TEST_F(RunCommand, RefusesBadInputInOneLine) {
   refuse({"--set", "robot=pionier"}, "did you mean 'pioneer'?");
   refuse({"--out", "/proc/results"}, "/proc/results: cannot be made");
   refuse({"--run", "24"}, "there is no run 24");
-  const Outcome unknown = run_mapbed({"run", "ch2_raw_odometri"}, folder_.file("."));
+  const Outcome unknown = call({"run", "ch2_raw_odometri"});
   EXPECT_EQ(unknown.status, 1);
   EXPECT_THAT(unknown.err, HasSubstr("did you mean 'ch2_raw_odometry'?"));
 }
@@ -169,18 +159,17 @@ TEST_F(RunCommand, ALogThatIsNotHereIsSkippedInWords) {
         "about: recorded logs\nlog.longest: 3 s\nseeds: 2\nmetrics: [path_length, largest_error]\n"
         "compare: {here: {log: example}, away: {log: ./away.yaml}}\n"
         "claims: [{metric: largest_error, of: here, at_most: away}]\n");
-  const Outcome outcome = run_mapbed({"run", "./real.yaml", "--out", "r"}, folder_.file("."));
+  const Outcome outcome = call({"run", "./real.yaml", "--out", "r"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("2 runs, 0 of them failed"));
   EXPECT_THAT(outcome.out,
               HasSubstr("remark: the log './away.yaml' is not here (away.log): 2 runs skipped; set "
                         "MAPBED_DATA to the folder that holds it"));
   EXPECT_THAT(outcome.out, HasSubstr("not judged"));
-  EXPECT_EQ(load_results(folder_.file("r")).runs.size(), 2u);
-  EXPECT_THAT(read_text_file(folder_.file("r/report.html")), HasSubstr("is not here (away.log)"));
+  EXPECT_EQ(load_results(path("r")).runs.size(), 2u);
+  EXPECT_THAT(read_text_file(path("r/report.html")), HasSubstr("is not here (away.log)"));
 
-  const Outcome none =
-      run_mapbed({"run", "./real.yaml", "--set", "log=./away.yaml"}, folder_.file("."));
+  const Outcome none = call({"run", "./real.yaml", "--set", "log=./away.yaml"});
   EXPECT_EQ(none.status, 1);
   EXPECT_THAT(none.err, HasSubstr("real.yaml: the log './away.yaml' is not here (away.log); set "
                                   "MAPBED_DATA"));
@@ -191,15 +180,15 @@ TEST_F(RunCommand, TwoAtOnceInOneFolderAreOneTooMany) {
       "mkdir r; flock r/.lock sh -c 'touch held; while [ -e held ]; do sleep 0.1; done' & "
       "until [ -e held ]; do sleep 0.1; done; $MAPBED run ./drives.yaml --out r; s=$?; "
       "rm held; wait; exit $s",
-      folder_.file("."));
+      path());
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("another run is at work in this folder"));
 }
 
 TEST_F(RunCommand, AFullDiskIsToldAndNothingIsLost) {
   // 1 KiB is the most that a file may grow to.
-  const Outcome full = run_shell(
-      "trap '' XFSZ; ulimit -f 1; $MAPBED run ./drives.yaml -j 1 --out r", folder_.file("."));
+  const Outcome full =
+      run_shell("trap '' XFSZ; ulimit -f 1; $MAPBED run ./drives.yaml -j 1 --out r", path());
   EXPECT_EQ(full.status, 1);
   EXPECT_THAT(full.err, HasSubstr("r/runs/"));
   const Outcome after = run({"-j", "1", "--out", "r"});

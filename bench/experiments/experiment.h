@@ -63,8 +63,8 @@ struct Experiment {
 
 const std::vector<Experiment>& experiments();
 
-// Throws InputError for an unknown name.
-const Experiment& experiment_by_name(const std::string& name);
+// Throws InputError for an unknown name, which stands at `place`.
+const Experiment& experiment_by_name(const std::string& name, const Place& place = {});
 
 // One that has an options struct: `run` is called with the options and the input.
 template <class Options>

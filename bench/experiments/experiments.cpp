@@ -27,13 +27,13 @@ RunInput shortened(RunInput input, double longest) {
   return input;
 }
 
-const Experiment& experiment_by_name(const std::string& name) {
+const Experiment& experiment_by_name(const std::string& name, const Place& place) {
   std::vector<std::string> names;
   for (const Experiment& experiment : experiments()) {
     if (experiment.name == name) return experiment;
     names.push_back(experiment.name);
   }
-  throw InputError({}, "unknown experiment '" + name + "'", suggestion(name, names));
+  throw InputError(place, "unknown experiment '" + name + "'", suggestion(name, names));
 }
 
 }  // namespace mapbed

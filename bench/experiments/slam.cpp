@@ -8,6 +8,7 @@
 #include "bench/map_picture.h"
 #include "bench/process_cost.h"
 #include "bench/report/replay.h"
+#include "core/config/suggestion.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
 
@@ -37,6 +38,18 @@ struct Setup {
   Settings of_method;
 };
 
+// As method_by_name, but tells where the name stands.
+void check_method(const std::string& name, const Settings& settings) {
+  std::vector<std::string> names;
+  for (const Method& method : methods()) names.push_back(method.name);
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  Place place;
+  for (const Setting& setting : settings) {
+    if (setting.path == "estimator") place = setting.place;
+  }
+  throw InputError(place, "unknown method " + in_quotes(name), suggestion(name, names));
+}
+
 // Settings of methods stand under the method's name; those of other methods are checked as well.
 Setup setup_of(const Settings& settings) {
   Setup setup;
@@ -55,7 +68,7 @@ Setup setup_of(const Settings& settings) {
     }
   }
   apply(own, options_of(setup.options), "slam");
-  (void)method_by_name(setup.options.estimator);
+  check_method(setup.options.estimator, own);
   for (const auto& [name, of_method] : by_method) {
     (void)method_by_name(name).complete_yaml(of_method);
     if (name == setup.options.estimator) setup.of_method = of_method;

@@ -69,7 +69,9 @@ const std::vector<JudgedMetric>& judged_metrics() {
       {{"excess_doubled_walls", Unit::none,
         "doubled_walls less those of the map of the same scans at their true poses"},
        [](J& j) { return j.excess_doubled_walls(); }},
-      {{"sharpness", Unit::none, "[bit] minus the mean entropy of the known cells"},
+      {{"sharpness", Unit::none,
+        "[bit] minus the mean entropy of the known cells; a smeared map knows more of them, so it "
+        "compares maps of one size"},
        [](J& j) { return -mean_entropy(j.map()); }},
       {{"untrusted_scans", Unit::none, "scans whose match was not trusted"},
        [](J& j) { return static_cast<double>(j.estimate().untrusted_scans); }},

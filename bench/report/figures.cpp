@@ -73,15 +73,38 @@ bool is_shown(const Results& results, const PlotSpec& spec, int variant) {
          std::find(spec.variants.begin(), spec.variants.end(), name) != spec.variants.end();
 }
 
-// What makes one series: the variant and the values of all axes but that along x.
-std::string series_name(const Results& results, int level, int variant, int x_axis) {
+// The values of an axis that the plot keeps to; null: all.
+const std::vector<std::string>* values_at(const PlotSpec& spec, const std::string& path) {
+  for (const auto& [of, values] : spec.at) {
+    if (of == path) return &values;
+  }
+  return nullptr;
+}
+
+bool is_shown(const Results& results, const PlotSpec& spec, int level, int variant) {
+  const Level& at = results.levels[static_cast<std::size_t>(level)];
+  for (std::size_t i = 0; i < results.axes.size(); ++i) {
+    const std::vector<std::string>* values = values_at(spec, results.axes[i].path);
+    if (values == nullptr) continue;
+    const std::string& value = results.axes[i].texts[static_cast<std::size_t>(at.choice[i])];
+    if (std::find(values->begin(), values->end(), value) == values->end()) return false;
+  }
+  return is_shown(results, spec, variant);
+}
+
+// What makes one series: the variant and the values of all axes but that along x and those of
+// which one value is shown.
+std::string series_name(const Results& results, const PlotSpec& spec, int level, int variant,
+                        int x_axis) {
   std::string name = results.variants.size() > 1 && x_axis != kVariantsAlongX
                          ? results.variants[static_cast<std::size_t>(variant)]
                          : "";
   const Level& at = results.levels[static_cast<std::size_t>(level)];
   for (std::size_t axis = 0; axis < results.axes.size(); ++axis) {
-    if (static_cast<int>(axis) == x_axis) continue;
     const SweepAxis& swept = results.axes[axis];
+    const std::vector<std::string>* values = values_at(spec, swept.path);
+    const bool is_one = values != nullptr && values->size() == 1;
+    if (static_cast<int>(axis) == x_axis || is_one) continue;
     name += (name.empty() ? "" : ", ") + words_of(swept.path) + " " +
             swept.texts[static_cast<std::size_t>(at.choice[axis])];
   }
@@ -132,6 +155,9 @@ double place_of(const Results& results, const Plot& plot, const SummaryRow& row,
 std::string said_of(const PlotSpec& spec, const std::string& treatment, int runs, int failed,
                     int missing) {
   std::string text = treatment;
+  for (const auto& [path, values] : spec.at) {
+    if (values.size() == 1) text += "; " + words_of(path) + " " + values.front();
+  }
   if (failed > 0) text += fmt::format("; {} of {} runs failed", failed, runs);
   if (missing > 0) text += fmt::format("; {} without a value left out", missing);
   if (!spec.thesis.empty()) text += "; beside " + spec.thesis;
@@ -178,9 +204,10 @@ void add_means(const Results& results, const PlotSpec& spec, int metric, int x_a
                                                                : Mark::line;
   Shown counted;
   for (const SummaryRow& row : results.summary) {
-    if (row.metric != metric || !is_shown(results, spec, row.variant)) continue;
+    if (row.metric != metric || !is_shown(results, spec, row.level, row.variant)) continue;
     if (row.runs == 0) continue;  // skipped
-    Series& series = series_of(plot, series_name(results, row.level, row.variant, x_axis), mark);
+    Series& series =
+        series_of(plot, series_name(results, spec, row.level, row.variant, x_axis), mark);
     series.x.push_back(place_of(results, plot, row, x_axis));
     series.y.push_back(shown(row.mean, unit));
     series.low.push_back(shown(row.low, unit));
@@ -203,14 +230,14 @@ void add_runs(const Results& results, const PlotSpec& spec, int metric, Plot& pl
   CHECK(x_metric >= 0 || x_axis >= 0);
   int failed = 0, missing = 0, shown_runs = 0;
   for (const RunRow& run : results.runs) {
-    if (!is_shown(results, spec, run.variant)) continue;
+    if (!is_shown(results, spec, run.level, run.variant)) continue;
     const auto value = [&](int m) {
       return shown(run.values[static_cast<std::size_t>(m)],
                    results.metrics[static_cast<std::size_t>(m)].unit);
     };
     const SummaryRow place{.level = run.level, .variant = run.variant};
     Series& series =
-        series_of(plot, series_name(results, run.level, run.variant, x_axis), Mark::points);
+        series_of(plot, series_name(results, spec, run.level, run.variant, x_axis), Mark::points);
     series.x.push_back(x_metric >= 0 ? value(x_metric) : place_of(results, plot, place, x_axis));
     series.y.push_back(value(metric));
     ++shown_runs;
@@ -267,7 +294,7 @@ HeatMap heat_map_of(const Results& results, const PlotSpec& spec) {
   map.values.assign(map.xs.size() * map.ys.size(), std::numeric_limits<double>::quiet_NaN());
   Shown counted;
   for (const SummaryRow& row : results.summary) {
-    if (row.metric != metric || !is_shown(results, spec, row.variant)) continue;
+    if (row.metric != metric || !is_shown(results, spec, row.level, row.variant)) continue;
     const std::size_t column = rank_of(results, row.level, x, map.xs);
     const std::size_t line = rank_of(results, row.level, y, map.ys);
     map.values[line * map.xs.size() + column] = shown(row.mean, shown_metric.unit);

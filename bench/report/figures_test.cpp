@@ -133,6 +133,15 @@ TEST(Figures, AHeatMapHasTheMeansInTheOrderOfItsSides) {
   EXPECT_EQ(map.subtitle, "mean of 3 runs each; 1 of 12 runs failed");
 }
 
+TEST(Figures, OnlyTheLevelsAskedFor) {
+  const Plot plot =
+      figure_of(sweep(), {.y = "heading_error", .at = {{"odometry.sigma", {"2 deg"}}}});
+  ASSERT_EQ(plot.series.size(), 1u);
+  const double degrees = 180.0 / std::numbers::pi;
+  EXPECT_THAT(plot.series[0].y, ElementsAre(2 * degrees, degrees));
+  EXPECT_THAT(plot.subtitle, HasSubstr("; sigma 2 deg"));
+}
+
 TEST(Figures, AreWrittenWithTheirNumbers) {
   const TemporaryFolder folder;
   Results results = sweep();

@@ -65,6 +65,12 @@ TEST_F(ReportPage, NeedsNothingFromElsewhere) {
   EXPECT_EQ(count(html, "<canvas"), 1u);
 }
 
+TEST_F(ReportPage, SaysInWordsWhatAMapIsOf) {
+  std::filesystem::rename(folder_.file("example/maps/on.png"),
+                          folder_.file("example/maps/map_level_1_filter_on.png"));
+  EXPECT_THAT(page(), HasSubstr("<figcaption>map, rotation sigma 16 deg, filter on</figcaption>"));
+}
+
 TEST_F(ReportPage, ComesWithoutTheReplayPlayerWhereThereIsNoReplay) {
   std::filesystem::remove_all(folder_.file("example/replays"));
   EXPECT_THAT(page(), Not(HasSubstr("canvas.getContext")));

@@ -5,95 +5,17 @@
 #include <numbers>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "bench/report/axis.h"
 #include "bench/report/html.h"
+#include "bench/report/pictures_html.h"
 #include "bench/report/svg_text.h"
-#include "core/input_error.h"
 
 namespace mapbed {
 namespace {
 
 std::string section(const std::string& title, const std::string& html) {
   return html.empty() ? "" : "<section>\n<h2>" + title + "</h2>\n" + html + "</section>\n";
-}
-
-std::string without_extension(const std::string& name) {
-  return name.substr(0, name.rfind('.'));
-}
-
-std::string figures_html(const ResultFolder& result) {
-  std::string html;
-  for (const NamedFile& figure : result.figures) {
-    const std::string base = "figures/" + without_extension(figure.name);
-    html += fmt::format(
-        "<figure>\n{0}<figcaption>Files: <a href=\"{1}.svg\">picture</a>, "
-        "<a href=\"{1}.csv\">numbers</a></figcaption></figure>\n",
-        figure.content, xml_escaped(base));
-  }
-  return html.empty() ? "" : "<div class=\"figures\">\n" + html + "</div>\n";
-}
-
-std::string maps_html(const ResultFolder& result) {
-  std::string html;
-  for (const NamedFile& map : result.maps) {
-    const std::string name = xml_escaped(without_extension(map.name));
-    html += fmt::format(
-        "<figure><img src=\"{}\" alt=\"Map: {}\" loading=\"lazy\"><figcaption>{}"
-        "</figcaption></figure>\n",
-        png_address(map.content), name, name);
-  }
-  return html.empty() ? "" : "<div class=\"figures\">\n" + html + "</div>\n";
-}
-
-constexpr const char* kPlayer = R"(<div class="replay">
-<canvas role="img" aria-label="The run at the chosen moment"></canvas>
-<div class="controls"><button type="button">Play</button>
-<input type="range" aria-label="Time">
-<label>Speed <select><option value="1">1 x</option><option value="5" selected>5 x</option>
-<option value="20">20 x</option></select></label></div>
-<output></output>
-<div class="controls">)";
-
-std::string check_box(const char* name, const char* text, const char* color) {
-  return fmt::format(
-      "<label><input type=\"checkbox\" name=\"{}\" checked> <span class=\"key\" "
-      "style=\"border-color:{}\"></span>{}</label>\n",
-      name, color, text);
-}
-
-// JSON within a script element must not end it: "<" only stands in texts there, and may be
-// written as an escape.
-std::string in_script(const std::string& json) {
-  std::string result;
-  for (const char c : json) result += c == '<' ? "\\u003c" : std::string(1, c);
-  return result;
-}
-
-std::string replays_html(const ResultFolder& result) {
-  std::string html;
-  for (const NamedFile& file : result.replays) {
-    const auto json = nlohmann::json::parse(file.content, nullptr, false);
-    if (!json.is_object()) {
-      throw InputError({result.folder + "/replays/" + file.name},
-                       "is no replay: not a JSON object");
-    }
-    const std::string title = json.value("title", "");
-    std::string name = without_extension(file.name);  // says level and variant
-    std::replace(name.begin(), name.end(), '_', ' ');
-    html += "<h3>" + xml_escaped(title.empty() ? name : title + ": " + name) + "</h3>\n";
-    html += kPlayer;
-    if (json.contains("truth")) html += check_box("truth", "true path", "#009e73");
-    if (json.contains("estimate")) html += check_box("estimate", "estimate", "#0072b2");
-    if (json.contains("odometry")) html += check_box("odometry", "odometry", "#e69f00");
-    if (json.contains("scans")) html += check_box("scan", "scan", "#d55e00");
-    if (json.contains("others")) html += check_box("people", "people and doors", "#cc79a7");
-    if (json.contains("map")) html += check_box("map", "map", "#777777");
-    html += "</div>\n<script type=\"application/json\">" + in_script(file.content) +
-            "</script>\n</div>\n";
-  }
-  return html;
 }
 
 std::string skipped_html(const ResultFolder& result) {
@@ -136,6 +58,8 @@ HtmlCell summary_cell(const CsvTable& table, std::size_t row, const std::string&
   return text_cell(words);
 }
 
+constexpr std::size_t kLongestOpenTable = 40;  // rows; what follows should not lie a mile below
+
 std::string summary_html(const ResultFolder& result) {
   if (result.summary.size() < 2) return "";
   HtmlTable table;
@@ -153,10 +77,13 @@ std::string summary_html(const ResultFolder& result) {
       cells.push_back(summary_cell(result.summary, row, column));
     }
   }
-  return "<p class=\"note\">Over all runs of a level that have a value; the interval of the mean "
-         "is "
-         "by bootstrap. Failed runs are counted, not left out.</p>\n" +
-         html_of(table);
+  const std::string html =
+      "<p class=\"note\">Over all runs of a level that have a value; the interval of the mean is "
+      "by "
+      "bootstrap. Failed runs are counted, not left out.</p>\n" +
+      html_of(table);
+  if (table.rows.size() <= kLongestOpenTable) return html;
+  return folded(fmt::format("All {} rows", table.rows.size()), html);
 }
 
 std::string failures_html(const ResultFolder& result) {

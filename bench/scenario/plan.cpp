@@ -36,7 +36,7 @@ std::vector<Metric> chosen_metrics(const Scenario& scenario, const Experiment& e
     const auto found = std::find_if(experiment.metrics.begin(), experiment.metrics.end(),
                                     [&](const Metric& metric) { return metric.name == name; });
     if (found == experiment.metrics.end()) {
-      throw InputError({scenario.path},
+      throw InputError(scenario.metrics_place,
                        "unknown metric '" + name + "' of experiment " + experiment.name,
                        suggestion(name, names_of(experiment.metrics)));
     }
@@ -148,7 +148,7 @@ PlannedRuns planned_runs(const Scenario& scenario, const Experiment& experiment,
 ScenarioPlan make_plan(Scenario scenario) {
   check_count(scenario);
   ScenarioPlan plan{.scenario = std::move(scenario)};
-  plan.experiment = &experiment_by_name(plan.scenario.experiment);
+  plan.experiment = &experiment_by_name(plan.scenario.experiment, plan.scenario.experiment_place);
   plan.results = empty_results(plan.scenario, *plan.experiment);
   for (const Claim& claim : plan.scenario.claims) check_claim(claim, plan.results);
   for (const PlotSpec& plot : plan.results.plots) check_plot(plot, plan.results);

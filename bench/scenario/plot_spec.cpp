@@ -34,6 +34,19 @@ void check_name(const PlotSpec& plot, const std::string& name, const Names& know
                    suggestion(name, known));
 }
 
+// A quick run may lack some of the values.
+void check_levels(const PlotSpec& plot, const Results& plan) {
+  for (const auto& [path, values] : plot.at) {
+    check_name(plot, path, axes_of(plan), "not swept here");
+    if (plan.quick) continue;
+    const auto axis = std::find_if(plan.axes.begin(), plan.axes.end(),
+                                   [&path = path](const SweepAxis& a) { return a.path == path; });
+    for (const std::string& value : values) {
+      check_name(plot, value, axis->texts, "no value of '" + path + "'");
+    }
+  }
+}
+
 // Colours need numbers along both sides, and one value for each pair.
 void check_heat_map(const PlotSpec& plot, const Results& plan) {
   for (const std::string& path : {plot.x, plot.y}) {
@@ -47,10 +60,13 @@ void check_heat_map(const PlotSpec& plot, const Results& plan) {
   }
   check_name(plot, plot.value, metrics_of(plan), "not measured here");
   const std::size_t variants = plot.variants.empty() ? plan.variants.size() : plot.variants.size();
-  if (plot.x == plot.y || plan.axes.size() != 2 || variants != 1) {
+  const auto fixed = std::count_if(plot.at.begin(), plot.at.end(),
+                                   [](const auto& at) { return at.second.size() == 1; });
+  const auto open = static_cast<std::ptrdiff_t>(plan.axes.size()) - fixed;
+  if (plot.x == plot.y || open != 2 || variants != 1) {
     throw InputError(plot.place, "the heat map '" + plot.file + "' has no one value for each place",
                      "it shows one variant ('variants: [" + plan.variants.front() +
-                         "]') over two axes, all that are swept");
+                         "]') over two axes, all that are swept but for those with 'at'");
   }
 }
 
@@ -82,6 +98,13 @@ PlotSpec plot_of(const ConfigNode& node) {
   read("value_label", plot.value_label);
   read("thesis", plot.thesis);
   if (const ConfigNode* variants = node.find("variants")) plot.variants = variants->texts();
+  if (const ConfigNode* at = node.find("at")) {
+    for (const std::string& path : at->keys()) {
+      const ConfigNode& values = at->at(path);
+      const bool is_list = values.kind() == ConfigNode::Kind::list;
+      plot.at.emplace_back(path, is_list ? values.texts() : Names{values.text()});
+    }
+  }
   if (const ConfigNode* references = node.find("references")) {
     for (const std::string& name : references->keys()) {
       plot.references.push_back({name, references->at(name).text()});
@@ -101,6 +124,8 @@ std::string plot_text(const PlotSpec& plot) {
   for (const PlotReference& reference : plot.references) {
     references.emplace_back(flow_scalar(reference.name), flow_scalar(reference.value));
   }
+  std::vector<std::pair<std::string, std::string>> at;
+  for (const auto& [path, values] : plot.at) at.emplace_back(path, flow_list(values));
   return flow_map({{"file", flow_scalar(plot.file)},
                    {"title", flow_scalar(plot.title)},
                    {"kind", kKinds[static_cast<std::size_t>(plot.kind)]},
@@ -109,6 +134,7 @@ std::string plot_text(const PlotSpec& plot) {
                    {"value", flow_scalar(plot.value)},
                    {"lines_by", flow_scalar(plot.lines_by)},
                    {"variants", plot.variants.empty() ? "" : flow_list(plot.variants)},
+                   {"at", at.empty() ? "" : flow_map(at)},
                    {"references", references.empty() ? "" : flow_map(references)},
                    {"log_x", plot.log_x ? "true" : "false"},
                    {"log_y", plot.log_y ? "true" : "false"},
@@ -122,6 +148,7 @@ void check_plot(const PlotSpec& plot, const Results& plan) {
   for (const std::string& variant : plot.variants) {
     check_name(plot, variant, plan.variants, "not compared here");
   }
+  check_levels(plot, plan);
   if (plot.kind == PlotKind::heat_map) {
     check_heat_map(plot, plan);
     return;
@@ -133,6 +160,12 @@ void check_plot(const PlotSpec& plot, const Results& plan) {
   check_name(plot, plot.y, metrics, "not measured here");
   check_name(plot, plot.x, for_x, "neither measured nor swept here");
   check_name(plot, plot.lines_by, axes, "not swept here");
+  if (!plot.lines_by.empty() && plot.lines_by == plot.x) {
+    throw InputError(
+        plot.place,
+        "the plot '" + plot.file + "' has " + in_quotes(plot.x) + " along x and as lines",
+        "leave lines_by out");
+  }
   const auto metric = std::find(metrics.begin(), metrics.end(), plot.y) - metrics.begin();
   const Unit unit = plan.metrics[static_cast<std::size_t>(metric)].unit;
   for (const PlotReference& reference : plot.references) {

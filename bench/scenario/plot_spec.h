@@ -15,6 +15,8 @@ namespace mapbed {
 //   {kind: points, x: path_length, y: failures}     a mark for each run
 //   {kind: heat_map, x: hits, y: misses, value: occupancy, variants: [counting]}
 //
+//   {y: failures, at: {people: 10}}                 these levels alone; also {people: [5, 10]}
+//
 // x is an axis or, of points, a metric; y a metric, of a heat map an axis; lines_by a second axis.
 // Also: x_label, y_label, value_label, log_x, thesis.
 PlotSpec plot_of(const ConfigNode& node);

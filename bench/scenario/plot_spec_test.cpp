@@ -23,7 +23,8 @@ PlotSpec read(const std::string& yaml) {
 TEST(PlotSpec, IsWrittenAsItIsRead) {
   for (const char* yaml : {"{y: distance}", "{x: hits, y: distance, log_y: true, variants: [odds]}",
                            "{x: hits, y: distance, title: 'a, b: c', references: {'of 2009': 2 m}}",
-                           "{kind: heat_map, x: hits, y: misses, value: distance, file: map}"}) {
+                           "{kind: heat_map, x: hits, y: misses, value: distance, file: map}",
+                           "{y: distance, at: {hits: 1, world: [a, b]}}"}) {
     const std::string text = plot_text(read(yaml));
     EXPECT_EQ(plot_text(read(text)), text);
   }
@@ -40,6 +41,8 @@ TEST(PlotSpec, NamesOnlyWhatTheScenarioHas) {
   EXPECT_INPUT_ERROR(check("{x: hits, y: distence}"), "did you mean 'distance'?");
   EXPECT_INPUT_ERROR(check("{y: distance, variants: [odd]}"), "did you mean 'odds'?");
   EXPECT_INPUT_ERROR(check("{y: distance, references: {published: 20 deg}}"), "x.yaml:7");
+  EXPECT_INPUT_ERROR(check("{y: distance, at: {hits: 2}}"), "no value of 'hits'");
+  EXPECT_INPUT_ERROR(check("{y: distance, at: {hit: 1}}"), "did you mean 'hits'?");
   EXPECT_INPUT_ERROR(read("{y: distance, file: a/b}"), "is no name for a picture");
 }
 

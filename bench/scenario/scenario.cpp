@@ -60,7 +60,9 @@ SweepAxis swept_axis(const std::string& path, const ConfigNode& node) {
     throw InputError(node.place(), "the sweep of '" + path + "' has no values",
                      "give one or more, or leave the sweep out");
   }
-  return axis_of(path, std::move(texts));
+  SweepAxis axis = axis_of(path, std::move(texts));
+  axis.place = node.place();
+  return axis;
 }
 
 std::vector<Variant> variants_of(const ConfigNode& node) {
@@ -115,7 +117,10 @@ void read_form(const ConfigNode& file, Reading& into) {
   };
   read("about", scenario.about);
   read("thesis", scenario.thesis);
-  read("experiment", scenario.experiment);
+  if (const ConfigNode* experiment = file.find("experiment")) {
+    scenario.experiment = experiment->text();
+    scenario.experiment_place = experiment->place();
+  }
   if (const ConfigNode* sweep = file.find("sweep")) {
     scenario.axes.clear();
     for (const std::string& path : sweep->keys()) {
@@ -127,7 +132,10 @@ void read_form(const ConfigNode& file, Reading& into) {
     scenario.seeds = seeds->whole_number(between(1, 100'000));
   }
   if (const ConfigNode* seed = file.find("seed")) scenario.seed = seed->unsigned_number();
-  if (const ConfigNode* metrics = file.find("metrics")) scenario.metrics = metrics->texts();
+  if (const ConfigNode* metrics = file.find("metrics")) {
+    scenario.metrics = metrics->texts();
+    scenario.metrics_place = metrics->place();
+  }
   if (const ConfigNode* plots = file.find("plots")) {
     scenario.plots.clear();
     for (const ConfigNode& plot : plots->items()) scenario.plots.push_back(plot_of(plot));
@@ -170,7 +178,9 @@ void make_quick(Reading& reading) {
   scenario.quick = true;
   scenario.seeds = std::min(scenario.seeds, reading.quick.seeds);
   for (SweepAxis& axis : scenario.axes) {
+    const Place place = axis.place;
     axis = axis_of(axis.path, spread(axis.texts, reading.quick.levels));
+    axis.place = place;
   }
   append(scenario.settings, reading.quick.settings);
 }
@@ -184,10 +194,12 @@ void apply_choice(const ScenarioChoice& choice, Scenario& scenario) {
       const ConfigNode node = parse_config(setting.text, setting.place);
       *axis = node.kind() == ConfigNode::Kind::list ? swept_axis(setting.path, node)
                                                     : axis_of(setting.path, {setting.text});
+      axis->place = setting.place;
     } else if (setting.path == "seeds") {
       scenario.seeds = ConfigNode(setting.text, setting.place).whole_number(between(1, 100'000));
     } else if (setting.path == "experiment") {
       scenario.experiment = setting.text;
+      scenario.experiment_place = setting.place;
     } else if (std::find(kKeys.begin(), kKeys.end(), setting.path) != kKeys.end()) {
       throw InputError(setting.place, in_quotes(setting.path) + " is not for --set",
                        "change it in the scenario file");
@@ -250,7 +262,7 @@ Settings settings_of(const Scenario& scenario, const Level& level, const Variant
   for (std::size_t i = 0; i < scenario.axes.size(); ++i) {
     const SweepAxis& axis = scenario.axes[i];
     settings.push_back(
-        {axis.path, axis.texts[static_cast<std::size_t>(level.choice[i])], {scenario.path, 0}});
+        {axis.path, axis.texts[static_cast<std::size_t>(level.choice[i])], axis.place});
   }
   return settings;
 }

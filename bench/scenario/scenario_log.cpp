@@ -41,7 +41,7 @@ std::vector<Variant> chosen_variants(const Scenario& scenario, const std::string
 }  // namespace
 
 SimulationPlan simulation_in(const Scenario& scenario, const std::string& variant) {
-  const Experiment& experiment = experiment_by_name(scenario.experiment);
+  const Experiment& experiment = experiment_by_name(scenario.experiment, scenario.experiment_place);
   if (!experiment.needs_log) {
     throw InputError({scenario.path}, "its experiment, " + experiment.name + ", needs no log",
                      "simulate a scenario that has a world and a robot");

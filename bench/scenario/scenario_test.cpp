@@ -89,8 +89,17 @@ TEST_F(ScenarioFile, IsRefusedWithPlaceAndRemedy) {
   refuse("claims: [{metric: occupancy, equals: 1}]\n", "nothing about how exact");
   refuse("claims: [{metric: occupancy, above: 0, at: {hits: 3}}]\n", "has no value '3'");
   refuse("plots: [{x: hitz, y: occupancy}]\n", "did you mean 'hits'?");
-  EXPECT_INPUT_ERROR(plan("experiment: odds_vs_count\nmetrics: [a]\n"),
-                     "did you mean 'odds_vs_counting'?");
+  EXPECT_INPUT_ERROR(
+      plan("experiment: odds_vs_count\nmetrics: [a]\n"),
+      "x.yaml:1: unknown experiment 'odds_vs_count'; did you mean 'odds_vs_counting'?");
+  EXPECT_INPUT_ERROR(plan("experiment: odds_vs_counting\nmetrics: [ocupancy]\n"),
+                     "x.yaml:2: unknown metric 'ocupancy' of experiment odds_vs_counting; did you "
+                     "mean 'occupancy'?");
+  EXPECT_INPUT_ERROR(plan("about: a\nestimator: scan_maching\nmetrics: [success]\n"),
+                     "x.yaml:2: unknown method 'scan_maching'; did you mean 'scan_matching'?");
+  EXPECT_INPUT_ERROR(
+      plan("experiment: odds_vs_counting\nmetrics: [occupancy]\nsweep:\n  hits: [1, -1]\n"),
+      "x.yaml:4: '-1' is too small");
   EXPECT_INPUT_ERROR(plan("experiment: odds_vs_counting\nsweep: {hits: []}\nmetrics: [occupancy]"),
                      "the sweep of 'hits' has no values");
   EXPECT_INPUT_ERROR(plan("experiment: odds_vs_counting\n"), "nothing is measured");
