@@ -256,8 +256,8 @@ RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths
   RgbImage image(width + 2 * kMargin, layout.height() + 3 * kMargin + legend_height, kWhite);
   paste_enlarged(image_of_blocks(map, layout), layout.pixels_per_cell, image);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const double width = 1.8 + 2.4 * static_cast<double>(paths.size() - 1 - i);
-    draw_path(image, paths[i], color_of_path(i), width, map, layout);
+    const double line = 1.8 + 2.4 * static_cast<double>(paths.size() - 1 - i);
+    draw_path(image, paths[i], color_of_path(i), line, map, layout);
   }
 
   const Eigen::Vector2d below(kMargin, layout.height() + 2 * kMargin + kRowHeight / 2);

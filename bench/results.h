@@ -70,6 +70,7 @@ struct ClaimResult {
   bool judged = true;    // false: the run has no such level, or no value there
   std::string measured;  // the figures: "worst at rotation_sigma = 8 deg: 0.12 against 0.30"
   std::string thesis;    // what the thesis says; empty: nothing
+  bool of_cost = false;  // about time, which differs from run to run of the same program
 };
 
 // Time and memory, which differ from run to run of the same program.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -106,6 +107,30 @@ std::vector<CostRow> costs_of(const std::string& path) {
   return costs;
 }
 
+std::string verdicts_csv(const Results& results, bool of_cost) {
+  std::string text = csv_line({"claim", "held", "measured", "thesis"});
+  for (const ClaimResult& claim : results.claims) {
+    if (claim.of_cost != of_cost) continue;
+    text += csv_line({claim.claim,
+                      !claim.judged ? "not judged"
+                      : claim.held  ? "yes"
+                                    : "no",
+                      claim.measured, claim.thesis});
+  }
+  return text;
+}
+
+void add_claims(const std::string& path, bool of_cost, Results& results) {
+  for (const CsvRow& row : rows_of(path, 4)) {
+    results.claims.push_back({.claim = row[0],
+                              .held = row[1] == "yes",
+                              .judged = row[1] != "not judged",
+                              .measured = row[2],
+                              .thesis = row[3],
+                              .of_cost = of_cost});
+  }
+}
+
 }  // namespace
 
 std::string runs_csv(const Results& results) {
@@ -145,15 +170,13 @@ std::string summary_csv(const Results& results) {
 }
 
 std::string claims_csv(const Results& results) {
-  std::string text = csv_line({"claim", "held", "measured", "thesis"});
-  for (const ClaimResult& claim : results.claims) {
-    text += csv_line({claim.claim,
-                      !claim.judged ? "not judged"
-                      : claim.held  ? "yes"
-                                    : "no",
-                      claim.measured, claim.thesis});
-  }
-  return text;
+  return verdicts_csv(results, false);
+}
+
+std::string cost_claims_csv(const Results& results) {
+  const bool has_some = std::any_of(results.claims.begin(), results.claims.end(),
+                                    [](const ClaimResult& claim) { return claim.of_cost; });
+  return has_some ? verdicts_csv(results, true) : "";
 }
 
 std::string cost_csv(const Results& results) {
@@ -183,13 +206,9 @@ Results load_results(const std::string& folder) {
   const std::string runs = folder + "/runs.csv";
   results.runs = parse_runs(runs, read_text_file(runs), results);
   results.summary = summarise(results);
-  for (const CsvRow& row : rows_of(folder + "/claims.csv", 4)) {
-    results.claims.push_back({.claim = row[0],
-                              .held = row[1] == "yes",
-                              .judged = row[1] != "not judged",
-                              .measured = row[2],
-                              .thesis = row[3]});
-  }
+  add_claims(folder + "/claims.csv", false, results);
+  const std::string cost_claims = folder + "/cost_claims.csv";
+  if (std::filesystem::exists(cost_claims)) add_claims(cost_claims, true, results);
   results.costs = costs_of(folder + "/cost.csv");
   return results;
 }

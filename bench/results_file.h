@@ -12,6 +12,7 @@
 //   summary.csv  level,<path of each axis>,variant,metric,unit,runs,failed,missing,
 //                mean,low,high,median,min,max
 //   claims.csv   claim,held,measured,thesis                    held: yes, no, not judged
+//   cost_claims.csv  the same of claims about time
 //   cost.csv     run,seconds,recording_seconds,method_seconds,recorded_seconds,peak_memory_bytes
 //
 // Values of axes stand as in the scenario ("2 deg"), metrics in SI and radians with as many digits
@@ -22,6 +23,7 @@ namespace mapbed {
 std::string runs_csv(const Results& results);
 std::string summary_csv(const Results& results);
 std::string claims_csv(const Results& results);
+std::string cost_claims_csv(const Results& results);  // empty where there are none
 std::string cost_csv(const Results& results);
 
 // The rows of a runs.csv; throws InputError where it is not of this plan or has not all its runs.

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "bench/cli/command_test.h"
+#include "bench/cli/testing/command_test.h"
 #include "core/text_file.h"
 
 namespace mapbed {
@@ -16,7 +16,9 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 void expect_refusal(const std::vector<std::string>& arguments, const std::string& message) {
-  expect_refused(run_mapbed(arguments), message);
+  const Outcome outcome = run_mapbed(arguments);
+  expect_refused(outcome, message);
+  EXPECT_EQ(outcome.out, "");
 }
 
 TEST(Program, TellsWhatItCanDo) {

@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "bench/cli/command_test.h"
+#include "bench/cli/testing/command_test.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
 #include "core/log/carmen_log.h"

@@ -6,7 +6,7 @@
 
 #include "algorithms/grid/map_file.h"
 #include "algorithms/grid/map_image.h"
-#include "bench/cli/command_test.h"
+#include "bench/cli/testing/command_test.h"
 #include "core/image/png.h"
 
 namespace mapbed {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "bench/cli/command_test.h"
+#include "bench/cli/testing/command_test.h"
 #include "bench/results_file.h"
 
 namespace mapbed {
@@ -26,7 +26,8 @@ constexpr const char* kDrives =
     "compare: {raw: {estimator: odometry}, matched: {estimator: scan_matching}}\n"
     "seeds: 6\n"
     "metrics: [translation_error, largest_error, failures, map_f1]\n"
-    "claims: [{metric: failures, of: matched, at_most: raw}]\n";
+    "claims: [{metric: failures, of: matched, at_most: raw},\n"
+    "         {metric: real_time_factor, of: matched, above: 1}]\n";
 
 class RunCommand : public CommandTest {
  protected:
@@ -63,7 +64,9 @@ TEST_F(RunCommand, GivesTheSameBytesWithAnyNumberOfThreads) {
   const Results results = load_results(path("j1"));
   EXPECT_EQ(results.runs.size(), 24u);
   EXPECT_EQ(results.summary.size(), 2u * 2u * 4u);
-  EXPECT_EQ(results.claims.size(), 1u);
+  EXPECT_EQ(results.claims.size(), 2u);
+  EXPECT_THAT(text("j1/claims.csv"), ::testing::Not(HasSubstr("real_time_factor")));
+  EXPECT_THAT(text("j1/cost_claims.csv"), HasSubstr("real_time_factor of 'matched' is above 1"));
 }
 
 TEST_F(RunCommand, GoesOnAfterAKillAtAnyMoment) {

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "bench/cli/command_test.h"
+#include "bench/cli/testing/command_test.h"
 #include "core/log/log_file.h"
 #include "sim/truth.h"
 

@@ -92,6 +92,9 @@ ResultFolder load_result_folder(const std::string& folder) {
   result.id = fs::absolute(base / ".").lexically_normal().parent_path().filename().string();
   read_head(base / "config.yaml", result);
   result.claims = table_of(base / "claims.csv");
+  const CsvTable of_cost = table_of(base / "cost_claims.csv");
+  if (!of_cost.empty())
+    result.claims.insert(result.claims.end(), of_cost.begin() + 1, of_cost.end());
   result.summary = table_of(base / "summary.csv");
   result.runs = table_of(base / "runs.csv");
   result.cost = table_of(base / "cost.csv");

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "bench/scenario/config_text.h"
+#include "bench/scenario/cost_claims.h"
 #include "bench/scenario/plot_spec.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
@@ -150,7 +151,10 @@ ScenarioPlan make_plan(Scenario scenario) {
   ScenarioPlan plan{.scenario = std::move(scenario)};
   plan.experiment = &experiment_by_name(plan.scenario.experiment, plan.scenario.experiment_place);
   plan.results = empty_results(plan.scenario, *plan.experiment);
-  for (const Claim& claim : plan.scenario.claims) check_claim(claim, plan.results);
+  const Results costs = with_costs_as_metrics(plan.results);
+  for (const Claim& claim : plan.scenario.claims) {
+    check_claim(claim, is_about_cost(claim) ? costs : plan.results);
+  }
   for (const PlotSpec& plot : plan.results.plots) check_plot(plot, plan.results);
   check_keys(plan.scenario, *plan.experiment);
   for (const Level& level : plan.results.levels) {

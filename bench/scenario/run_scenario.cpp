@@ -14,6 +14,7 @@
 
 #include "bench/results_file.h"
 #include "bench/scenario/config_text.h"
+#include "bench/scenario/cost_claims.h"
 #include "bench/scenario/folder_lock.h"
 #include "bench/scenario/journal.h"
 #include "bench/scenario/provenance.h"
@@ -55,6 +56,18 @@ std::string path_of(const ResultFile& file, const RunRow& row, const Results& re
   return (path.parent_path() / (name + path.extension().string())).string();
 }
 
+// One without content is not there, nor stays one of before.
+void write_tables(const fs::path& folder, const std::vector<ResultFile>& tables) {
+  for (const ResultFile& table : tables) {
+    const std::string path = (folder / table.path).string();
+    if (table.content.empty()) {
+      fs::remove(path);
+    } else {
+      write_file(path, table.content);
+    }
+  }
+}
+
 // The folder in which everything is kept until it is complete.
 class Workshop {
  public:
@@ -82,9 +95,7 @@ class Workshop {
   // Everything to where it belongs; files that are not here any more were moved by a start that was
   // killed. The provenance comes last: it says that the result is finished.
   void finish(const std::vector<ResultFile>& tables, const std::string& provenance) {
-    for (const ResultFile& table : tables) {
-      write_file((folder_ / table.path).string(), table.content);
-    }
+    write_tables(folder_, tables);
     const fs::path files = inner_ / "files";
     std::vector<fs::path> found;
     for (const auto& entry : fs::recursive_directory_iterator(files)) {
@@ -136,7 +147,12 @@ void conclude(const ScenarioPlan& plan, Results& results) {
   std::sort(results.costs.begin(), results.costs.end(), by_number);
   results.summary = summarise(results);
   results.claims.clear();
-  for (const Claim& claim : plan.scenario.claims) results.claims.push_back(judge(claim, results));
+  const Results costs = with_costs_as_metrics(results);
+  for (const Claim& claim : plan.scenario.claims) {
+    const bool of_cost = is_about_cost(claim);
+    results.claims.push_back(judge(claim, of_cost ? costs : results));
+    results.claims.back().of_cost = of_cost;
+  }
 }
 
 Provenance provenance_of(const ScenarioPlan& plan, const ScenarioRunOptions& options,
@@ -162,6 +178,7 @@ std::vector<ResultFile> tables_of(const ScenarioPlan& plan, const Results& resul
           {"runs.csv", runs_csv(results)},
           {"summary.csv", summary_csv(results)},
           {"claims.csv", claims_csv(results)},
+          {"cost_claims.csv", cost_claims_csv(results)},
           {"cost.csv", cost_csv(results)}};
 }
 
@@ -192,9 +209,7 @@ ScenarioRun finished_run(const ScenarioPlan& plan, const std::string& folder) {
   run.done_before = static_cast<int>(run.results.runs.size());
   conclude(plan, run.results);
   remove_old_figures(folder, plan.results);
-  for (const ResultFile& table : tables_of(plan, run.results)) {
-    if (table.path != "cost.csv") write_file(folder + "/" + table.path, table.content);
-  }
+  write_tables(folder, tables_of(plan, run.results));
   fs::remove_all(fs::path(folder) / "runs");
   return run;
 }

@@ -27,7 +27,7 @@ struct ScenarioRun {
 // Runs what is not done yet, judges, and writes:
 //
 //   config.yaml, runs.csv, summary.csv, claims.csv    the same bytes for the same seed
-//   cost.csv, provenance.json                         all that differs from run to run
+//   cost.csv, cost_claims.csv, provenance.json        all that differs from run to run
 //   maps/, trajectories/                              of the first seed, by level and variant
 //
 // Until everything is done it writes below runs/ only, and goes on from there when it is started
