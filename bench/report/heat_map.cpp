@@ -104,14 +104,16 @@ std::string color_bar(const HeatMap& map, const PlotArea& area, const Scale& col
   svg += fmt::format(
       "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#222\"/>\n",
       coordinate(x), coordinate(area.top), coordinate(kBarWidth), coordinate(area.height));
+  double widest = 0.0;
   for (const Tick& tick : ticks_of(colors, 6)) {
     if (tick.text.empty()) continue;
+    widest = std::max(widest, svg_text_width(tick.text, 12.0));
     const double y = area.top + area.height * (1.0 - colors.share(tick.value));
     svg += fmt::format("<path d=\"M{} {}h4\" stroke=\"#222\"/>\n", coordinate(x + kBarWidth),
                        coordinate(y));
     svg += svg_text(x + kBarWidth + 6.0, y + 4.0, tick.text, {12.0});
   }
-  const double at = kPlotWidth - 8.0;
+  const double at = std::min(x + kBarWidth + 6.0 + widest + 20.0, kPlotWidth - 8.0);
   const double middle = area.top + area.height / 2;
   return svg + svg_text(at, middle, title_of(map.value),
                         {kTextSize, "middle",
