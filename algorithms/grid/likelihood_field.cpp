@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/check.h"
 
@@ -34,6 +35,7 @@ LikelihoodField::LikelihoodField(const LikelihoodFieldOptions& options)
 
 void LikelihoodField::clear() {
   std::fill(directory_.begin(), directory_.end(), -1);
+  free_tiles_.clear();
   tiles_ = 0;
 }
 
@@ -65,8 +67,13 @@ LikelihoodField::Cell* LikelihoodField::tile_for_writing(int tile_x, int tile_y)
       directory_[static_cast<std::size_t>(tile_y - min_y_) * static_cast<std::size_t>(width_) +
                  static_cast<std::size_t>(tile_x - min_x_)];
   if (slot < 0) {
-    slot = tiles_++;
-    const std::size_t end = static_cast<std::size_t>(tiles_) * kTileCells;
+    if (free_tiles_.empty()) {
+      slot = tiles_++;
+    } else {
+      slot = free_tiles_.back();
+      free_tiles_.pop_back();
+    }
+    const std::size_t end = static_cast<std::size_t>(slot + 1) * kTileCells;
     if (cells_.size() < end) cells_.resize(std::max(end, cells_.size() * 3 / 2));
     std::fill_n(cells_.begin() + static_cast<std::ptrdiff_t>(end - kTileCells), kTileCells, Cell{});
   }
@@ -77,35 +84,89 @@ void LikelihoodField::add(const std::vector<SurfacePoint>& points) {
   for (const SurfacePoint& point : points) add(point);
 }
 
+// The cell whose centre is nearest.
+CellIndex LikelihoodField::middle_of(const Eigen::Vector2d& point) const {
+  return {static_cast<int>(std::lround(point.x() / resolution_ - 0.5)),
+          static_cast<int>(std::lround(point.y() / resolution_ - 0.5))};
+}
+
 void LikelihoodField::add(const SurfacePoint& point) {
+  const auto [x, y] = middle_of(point.position);
+  for (int tile_y = (y - radius_) >> kTileBits; tile_y <= (y + radius_) >> kTileBits; ++tile_y) {
+    for (int tile_x = (x - radius_) >> kTileBits; tile_x <= (x + radius_) >> kTileBits; ++tile_x) {
+      add_in_tile(point, tile_x, tile_y, tile_for_writing(tile_x, tile_y));
+    }
+  }
+}
+
+void LikelihoodField::add_in_tile(const SurfacePoint& point, int tile_x, int tile_y,
+                                  Cell* tile) const {
   // In cells, so that (x, y) stands for the centre of cell (x, y).
   const double u = point.position.x() / resolution_ - 0.5;
   const double v = point.position.y() / resolution_ - 0.5;
   const Eigen::Vector2f along =
       (std::sqrt(1.0 - kAlong * kAlong) * tangent_of(point.doubled)).cast<float>();
-  const int left = static_cast<int>(std::lround(u)) - radius_, right = left + 2 * radius_;
-  const int bottom = static_cast<int>(std::lround(v)) - radius_, top = bottom + 2 * radius_;
-
-  for (int tile_y = bottom >> kTileBits; tile_y <= top >> kTileBits; ++tile_y) {
-    for (int tile_x = left >> kTileBits; tile_x <= right >> kTileBits; ++tile_x) {
-      Cell* tile = tile_for_writing(tile_x, tile_y);
-      const int first_x = std::max(left, tile_x * kTileSide);
-      const int last_x = std::min(right, tile_x * kTileSide + kTileSide - 1);
-      const int first_y = std::max(bottom, tile_y * kTileSide);
-      const int last_y = std::min(top, tile_y * kTileSide + kTileSide - 1);
-      for (int y = first_y; y <= last_y; ++y) {
-        const auto dy = static_cast<float>(v - y);
-        Cell* row = tile + (y & (kTileSide - 1)) * kTileSide;
-        for (int x = first_x; x <= last_x; ++x) {
-          const auto dx = static_cast<float>(u - x);
-          Cell& cell = row[x & (kTileSide - 1)];
-          if (dx * dx + dy * dy < cell.x * cell.x + cell.y * cell.y) {
-            cell = {dx, dy, along.x(), along.y()};
-          }
-        }
+  const CellIndex middle = middle_of(point.position);
+  const int first_x = std::max(middle.x - radius_, tile_x * kTileSide);
+  const int last_x = std::min(middle.x + radius_, tile_x * kTileSide + kTileSide - 1);
+  const int first_y = std::max(middle.y - radius_, tile_y * kTileSide);
+  const int last_y = std::min(middle.y + radius_, tile_y * kTileSide + kTileSide - 1);
+  for (int y = first_y; y <= last_y; ++y) {
+    const auto dy = static_cast<float>(v - y);
+    Cell* row = tile + (y & (kTileSide - 1)) * kTileSide;
+    for (int x = first_x; x <= last_x; ++x) {
+      const auto dx = static_cast<float>(u - x);
+      Cell& cell = row[x & (kTileSide - 1)];
+      if (dx * dx + dy * dy < cell.x * cell.x + cell.y * cell.y) {
+        cell = {dx, dy, along.x(), along.y()};
       }
     }
   }
+}
+
+void LikelihoodField::update(const SurfaceMeans& means, const std::vector<CellIndex>& changed) {
+  // A mean lies in its cell, so it is rounded to the cell's centre or to the next one's.
+  std::vector<std::pair<int, int>> tiles;  // (y, x)
+  for (const CellIndex cell : changed) {
+    for (int y = (cell.y - radius_) >> kTileBits; y <= (cell.y + 1 + radius_) >> kTileBits; ++y) {
+      for (int x = (cell.x - radius_) >> kTileBits; x <= (cell.x + 1 + radius_) >> kTileBits; ++x) {
+        if (tiles.empty() || tiles.back() != std::pair(y, x)) tiles.emplace_back(y, x);
+      }
+    }
+  }
+  std::sort(tiles.begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  for (const auto& [y, x] : tiles) update_tile(x, y, means);
+}
+
+void LikelihoodField::update_tile(int tile_x, int tile_y, const SurfaceMeans& means) {
+  release_tile(tile_x, tile_y);
+  Cell* tile = nullptr;
+  const int reach = radius_ + 1;
+  const CellIndex corner{tile_x * kTileSide, tile_y * kTileSide};
+  for (int y = corner.y - reach; y < corner.y + kTileSide + reach; ++y) {
+    for (int x = corner.x - reach; x < corner.x + kTileSide + reach; ++x) {
+      const std::optional<SurfacePoint> mean = means.mean_in({x, y});
+      if (!mean) continue;
+      const CellIndex middle = middle_of(mean->position);
+      const bool beside = middle.x + radius_ < corner.x || middle.y + radius_ < corner.y ||
+                          middle.x - radius_ >= corner.x + kTileSide ||
+                          middle.y - radius_ >= corner.y + kTileSide;
+      if (beside) continue;
+      if (tile == nullptr) tile = tile_for_writing(tile_x, tile_y);
+      add_in_tile(*mean, tile_x, tile_y, tile);
+    }
+  }
+}
+
+void LikelihoodField::release_tile(int tile_x, int tile_y) {
+  const int x = tile_x - min_x_, y = tile_y - min_y_;
+  if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
+  std::int32_t& slot = directory_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                                  static_cast<std::size_t>(x)];
+  if (slot < 0) return;
+  free_tiles_.push_back(slot);
+  slot = -1;
 }
 
 inline float LikelihoodField::log_by(float squared_cells) const {

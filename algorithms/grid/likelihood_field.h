@@ -54,6 +54,10 @@ class LikelihoodField {
   void add(const std::vector<SurfacePoint>& points);
   void clear();
 
+  // Brings the field of a local map up to date where these cells of it changed: the same as
+  // clearing it and adding all means anew, in time of what changed. Cells are those of this field.
+  void update(const SurfaceMeans& means, const std::vector<CellIndex>& changed);
+
   double log_at(const Eigen::Vector2d& point) const;  // [m] in the map frame
   float floor() const { return floor_; }              // log_at far from everything
   double resolution() const { return resolution_; }
@@ -91,7 +95,11 @@ class LikelihoodField {
   const Cell* cell_at(int x, int y) const;  // from the directory's corner; null: no tile
   float log_by(float squared_cells) const;
   float log_in_directory(float x, float y) const;  // [cells] from the directory's corner
+  CellIndex middle_of(const Eigen::Vector2d& point) const;
   Cell* tile_for_writing(int tile_x, int tile_y);
+  void release_tile(int tile_x, int tile_y);
+  void update_tile(int tile_x, int tile_y, const SurfaceMeans& means);
+  void add_in_tile(const SurfacePoint& point, int tile_x, int tile_y, Cell* tile) const;
   void widen_directory(int tile_x, int tile_y);
 
   double resolution_;
@@ -105,6 +113,7 @@ class LikelihoodField {
   std::vector<std::int32_t> directory_;  // tile number, -1 where there is none
   std::vector<Cell> cells_;              // kTileCells for each tile, row by row
   std::int32_t tiles_ = 0;
+  std::vector<std::int32_t> free_tiles_;  // below tiles_, in no place of the directory
 };
 
 FieldPoints to_field_points(const std::vector<Eigen::Vector2d>& points_in_robot, double resolution);

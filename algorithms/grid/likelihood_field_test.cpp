@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/angle.h"
 #include "core/random.h"
 
 namespace mapbed {
@@ -84,6 +85,39 @@ TEST(LikelihoodField, SumsWhatItSaysOfSinglePoints) {
   double sum = 0.0;
   for (const Eigen::Vector2d& point : points) sum += field.log_at(pose * point);
   EXPECT_NEAR(field.sum_log_at(to_field_points(points, 0.05), pose), sum, 1e-2);
+}
+
+// Surfaces come and go, over several tiles, also where a whole tile becomes empty.
+TEST(LikelihoodField, BroughtUpToDateIsTheFieldMadeAnew) {
+  Rng rng(3);
+  SurfaceMeans means(0.05);
+  LikelihoodField updated;
+  std::vector<std::vector<SurfacePoint>> scans;
+  for (int step = 0; step < 12; ++step) {
+    std::vector<SurfacePoint> scan(80);
+    for (SurfacePoint& point : scan) {
+      const double turn = rng.uniform(-kPi, kPi);
+      point = {{0.4 * step + rng.uniform(-1.0, 1.0), rng.uniform(-2.5, 0.5)},
+               {std::cos(turn), std::sin(turn)}};
+    }
+    scans.push_back(scan);
+    means.add(scan);
+    if (step >= 3) means.remove(scans[static_cast<std::size_t>(step) - 3]);
+    updated.update(means, means.take_changed());
+  }
+  LikelihoodField anew;
+  anew.add(means.means());
+  int explained = 0;
+  for (double y = -3.0; y < 1.0; y += 0.037) {
+    for (double x = -1.5; x < 6.0; x += 0.037) {
+      ASSERT_NEAR(updated.log_at({x, y}), anew.log_at({x, y}), 1e-5) << x << ", " << y;
+      if (anew.log_at({x, y}) > anew.floor()) ++explained;
+    }
+  }
+  EXPECT_GT(explained, 1000);
+  const CellBox box = updated.box(), expected = anew.box();
+  EXPECT_EQ(box.min, expected.min);
+  EXPECT_EQ(box.max, expected.max);
 }
 
 }  // namespace

@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/check.h"
 #include "core/geometry/angle.h"
 
 namespace mapbed {
+namespace {
+
+constexpr double kStepsPerUnit = 1 << 24;  // of SurfaceMeans' sums, in a metre
+
+}  // namespace
 
 bool is_far_enough(const Pose2& integrated, const Pose2& pose, const LocalMapOptions& options) {
   return distance(integrated, pose) >= options.min_distance ||
@@ -53,26 +59,67 @@ std::vector<SurfacePoint> transformed(const std::vector<SurfacePoint>& points_in
   return points_in_a;
 }
 
+void SurfaceMeans::count(const SurfacePoint& point, int sign) {
+  const CellIndex index = grid_.cell_of(point.position);
+  Cell& cell = grid_.at(index);
+  const auto steps = [&](double value) { return sign * std::llround(value * kStepsPerUnit); };
+  cell.x += steps(point.position.x());
+  cell.y += steps(point.position.y());
+  cell.doubled_x += steps(point.doubled.x());
+  cell.doubled_y += steps(point.doubled.y());
+  cell.count += sign;
+  if (!cell.listed) hit_cells_.push_back(index);
+  if (!cell.changed) changed_cells_.push_back(index);
+  cell.listed = cell.changed = true;
+}
+
 void SurfaceMeans::add(const std::vector<SurfacePoint>& points_in_map) {
-  for (const SurfacePoint& point : points_in_map) {
-    const CellIndex index = grid_.cell_of(point.position);
+  for (const SurfacePoint& point : points_in_map) count(point, 1);
+}
+
+void SurfaceMeans::remove(const std::vector<SurfacePoint>& points_in_map) {
+  for (const SurfacePoint& point : points_in_map) count(point, -1);
+  std::erase_if(hit_cells_, [&](const CellIndex index) {
     Cell& cell = grid_.at(index);
-    if (cell.count == 0) hit_cells_.push_back(index);
-    ++cell.count;
-    cell.mean.position += (point.position - cell.mean.position) / cell.count;
-    cell.mean.doubled += (point.doubled - cell.mean.doubled) / cell.count;
-  }
+    CHECK(cell.count >= 0);
+    if (cell.count == 0) cell.listed = false;
+    return cell.count == 0;
+  });
 }
 
 void SurfaceMeans::clear() {
-  for (const CellIndex index : hit_cells_) grid_.at(index) = {};
+  for (const CellIndex index : hit_cells_) {
+    Cell& cell = grid_.at(index);
+    if (!cell.changed) changed_cells_.push_back(index);
+    cell = Cell{};
+    cell.changed = true;
+  }
   hit_cells_.clear();
+}
+
+std::vector<CellIndex> SurfaceMeans::take_changed() {
+  for (const CellIndex index : changed_cells_) grid_.at(index).changed = false;
+  return std::exchange(changed_cells_, {});
+}
+
+SurfacePoint SurfaceMeans::mean_of(const Cell& cell) {
+  const double scale = 1.0 / (kStepsPerUnit * cell.count);
+  const auto mean = [&](std::int64_t x, std::int64_t y) -> Eigen::Vector2d {
+    return scale * Eigen::Vector2d(static_cast<double>(x), static_cast<double>(y));
+  };
+  return {mean(cell.x, cell.y), mean(cell.doubled_x, cell.doubled_y)};
+}
+
+std::optional<SurfacePoint> SurfaceMeans::mean_in(CellIndex index) const {
+  const Cell& cell = grid_[index];
+  if (cell.count == 0) return std::nullopt;
+  return mean_of(cell);
 }
 
 std::vector<SurfacePoint> SurfaceMeans::means() const {
   std::vector<SurfacePoint> result;
   result.reserve(hit_cells_.size());
-  for (const CellIndex index : hit_cells_) result.push_back(grid_[index].mean);
+  for (const CellIndex index : hit_cells_) result.push_back(mean_of(grid_[index]));
   return result;
 }
 

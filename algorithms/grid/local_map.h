@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -58,23 +60,36 @@ std::vector<SurfacePoint> transformed(const std::vector<SurfacePoint>& points_in
 
 // The surfaces of a local map, one point for each cell that was hit: the mean of the points that
 // fell in. Averaging takes out the noise of single scans and makes the map independent of how often
-// a surface was seen, (2.17).
+// a surface was seen, (2.17). Sums are of whole numbers (steps of 60 nm), so that points can be
+// taken out again and the means do not depend on the order.
 class SurfaceMeans {
  public:
   explicit SurfaceMeans(double resolution) : grid_(resolution) {}
 
   void add(const std::vector<SurfacePoint>& points_in_map);
+  void remove(const std::vector<SurfacePoint>& points_in_map);  // that were added before
   void clear();  // in time of the cells hit, keeping the memory
 
+  std::optional<SurfacePoint> mean_in(CellIndex cell) const;
   std::vector<SurfacePoint> means() const;  // in the order in which the cells were first hit
+
+  // The cells whose means were changed since this was asked last.
+  std::vector<CellIndex> take_changed();
 
  private:
   struct Cell {
-    SurfacePoint mean;
-    int count = 0;
+    std::int64_t x = 0, y = 0;                  // sum of positions [steps]
+    std::int64_t doubled_x = 0, doubled_y = 0;  // sum of directions [steps]
+    std::int32_t count = 0;
+    bool changed = false;
+    bool listed = false;  // in hit_cells_
   };
+  void count(const SurfacePoint& point, int sign);
+  static SurfacePoint mean_of(const Cell& cell);
+
   TiledGrid<Cell> grid_;
   std::vector<CellIndex> hit_cells_;
+  std::vector<CellIndex> changed_cells_;
 };
 
 }  // namespace mapbed

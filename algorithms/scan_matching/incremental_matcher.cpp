@@ -113,8 +113,9 @@ const BoundPyramid& IncrementalMatcher::pyramid() {
   return *pyramid_;
 }
 
-// Keeps the scan for the local map where it is far enough from the one kept before, and builds the
-// local map anew. In between the map stays as it is: Algorithm 1 would only exchange its newest
+// Keeps the scan for the local map where it is far enough from the one kept before, and brings the
+// local map up to date: as all kept scans are that far from each other, it is made of the newest of
+// them. In between the map stays as it is: Algorithm 1 would only exchange its newest
 // scan.
 void IncrementalMatcher::remember(const LaserScan& scan) {
   const bool far =
@@ -126,16 +127,14 @@ void IncrementalMatcher::remember(const LaserScan& scan) {
                                  field_.resolution()),
                   map_from_robot_));
 
-  const std::vector<std::size_t> selected = select_local_scans(kept_poses_, options_.local_map);
-  const std::size_t oldest = selected.back();
+  means_.add(kept_points_.back());
+  const std::size_t oldest = select_local_scans(kept_poses_, options_.local_map).back();
+  for (std::size_t i = 0; i < oldest; ++i) {
+    means_.remove(kept_points_.front());
+    kept_points_.pop_front();
+  }
   kept_poses_.erase(kept_poses_.begin(), kept_poses_.begin() + static_cast<std::ptrdiff_t>(oldest));
-  kept_points_.erase(kept_points_.begin(),
-                     kept_points_.begin() + static_cast<std::ptrdiff_t>(oldest));
-
-  means_.clear();
-  for (const std::size_t i : selected) means_.add(kept_points_[i - oldest]);
-  field_.clear();
-  field_.add(means_.means());
+  field_.update(means_, means_.take_changed());
   pyramid_.reset();
   icp_map_.reset();
 }
