@@ -14,6 +14,8 @@
 namespace mapbed {
 namespace {
 
+constexpr std::size_t kMinHits = 10;  // of a scan that sees something, as in the matcher
+
 // A belief about the end of a step from a pose that is itself uncertain, with the mean of `step`.
 PosePrior chained(const PosePrior& start, const PosePrior& step) {
   const Pose2 motion = motion_between(start.mean, step.mean);
@@ -40,6 +42,7 @@ GridSlam::GridSlam(const GridSlamOptions& options, Rng rng)
     : options_(options),
       rng_(rng),
       likelihood_(options.likelihood),
+      troubles_(options.troubles),
       matcher_(options.matcher),
       loop_detector_(options.loop_closing) {
   CHECK(options.particles > 0);
@@ -47,8 +50,9 @@ GridSlam::GridSlam(const GridSlamOptions& options, Rng rng)
 
 void GridSlam::add(const Measurement& measurement) {
   if (const auto* odometry = std::get_if<Odometry>(&measurement)) {
-    odometry_.add(*odometry);
-    matcher_.add(measurement);
+    const Odometry passed = troubles_.without_jumps(*odometry);
+    odometry_.add(passed);
+    matcher_.add(passed);
   }
   if (const auto* scan = std::get_if<LaserScan>(&measurement)) add_scan(*scan);
 }
@@ -66,6 +70,10 @@ void GridSlam::add_scan(const LaserScan& scan) {
     return before && odometry ? std::optional<Pose2>(motion_between(*before, *odometry))
                               : std::optional<Pose2>{};
   };
+
+  const std::vector<Eigen::Vector2d> hits = hit_points(scan, options_.points);
+  troubles_.scan(scan.time, odometry_since(odometry_at_scan_), hits.size() >= kMinHits);
+  odometry_at_scan_ = odometry;
 
   // Where the robot is by odometry and scan matching alone.
   const Pose2 matched = track_from_robot_;  // at the last scan that was matched
@@ -112,7 +120,13 @@ void GridSlam::add_scan(const LaserScan& scan) {
     track_from_robot_ = track;
     odometry_at_matched_scan_ = odometry;
   }
-  scans_.push_back({scan.time, seen, updates_.size()});
+  SeenScan seen_scan{.time = scan.time, .seen_from_robot = seen, .updates = updates_.size()};
+  if (updates_.back().time != scan.time) {
+    for (const Eigen::Vector2d& hit : hits) {
+      seen_scan.hits.push_back(hit.cast<float>());
+    }
+  }
+  scans_.push_back(std::move(seen_scan));
 }
 
 void GridSlam::update(const LaserScan& scan, const UpdateMotion& motion) {
@@ -137,6 +151,10 @@ void GridSlam::update(const LaserScan& scan, const UpdateMotion& motion) {
     Rng own = rng_.stream("particle", i, number);
     move_and_weight(particles_[i], prepared_scan, motion, own);
   });
+  if (prepared_scan.hits.size() >= kMinHits) {
+    troubles_.update(scan.time,
+                     likelihood_.explained_share(prepared_scan, best().map, best().pose));
+  }
   if (options_.best_only_after_loop && closes_loop(prepared_scan)) {
     keep_best_only(updates_.back());
   } else {
@@ -241,18 +259,16 @@ Pose2 GridSlam::pose() const {
          motion_between(updates_.back().seen_from_robot, scans_.back().seen_from_robot);
 }
 
-// Between two updates, carried from both by odometry and scan matching, and blended by time.
-Pose2 GridSlam::pose_of(const SeenScan& scan, const std::vector<Pose2>& update_poses) const {
+// Between two updates, carried from both by odometry and scan matching.
+PosePrior GridSlam::prior_of(const SeenScan& scan, const std::vector<Pose2>& update_poses) const {
   const std::size_t before = scan.updates - 1;
   const auto carried_from = [&](std::size_t update) {
-    return update_poses[update] *
-           motion_between(updates_[update].seen_from_robot, scan.seen_from_robot);
+    return gaussian_after(update_poses[update],
+                          motion_between(updates_[update].seen_from_robot, scan.seen_from_robot),
+                          motion_errors());
   };
-  const Pose2 from_before = carried_from(before);
-  if (before + 1 >= updates_.size()) return from_before;
-  const double span = updates_[before + 1].time - updates_[before].time;
-  const double share = span > 0.0 ? (scan.time - updates_[before].time) / span : 0.0;
-  return interpolate(from_before, carried_from(before + 1), share);
+  if (before + 1 >= updates_.size()) return carried_from(before);
+  return together(carried_from(before), carried_from(before + 1));
 }
 
 // Its poses at the updates that are in its history.
@@ -266,7 +282,7 @@ std::vector<Pose2> GridSlam::path_of(const Particle& particle) const {
 }
 
 // The same, without what drawing added.
-std::vector<Pose2> GridSlam::settled_path(const Particle& particle) const {
+SettledPath GridSlam::settled_path(const Particle& particle) const {
   const std::vector<Pose2> poses = path_of(particle);
   std::vector<PathStep> path;
   path.reserve(poses.size());
@@ -276,9 +292,7 @@ std::vector<Pose2> GridSlam::settled_path(const Particle& particle) const {
                : motion_between(updates_[i - 1].seen_from_robot, updates_[i].seen_from_robot);
     path.push_back({poses[i], motion, &weighting_scans_[i]});
   }
-  const bool raw = options_.proposal == Proposal::odometry;
-  return settled(std::move(path), raw ? options_.odometry_errors : options_.matching_errors,
-                 options_.settling);
+  return settled(std::move(path), motion_errors(), options_.settling);
 }
 
 std::vector<GridSlam::Motion> GridSlam::motions() const {
@@ -309,13 +323,22 @@ Hypotheses GridSlam::hypotheses() const {
 
 Estimate GridSlam::estimate() const {
   if (particles_.empty()) return {};
-  const std::vector<Pose2> update_poses = settled_path(best());
+  const SettledPath path = settled_path(best());
   Estimate result;
   result.trajectory.reserve(scans_.size());
   for (const SeenScan& scan : scans_) {
-    result.trajectory.push_back({scan.time, pose_of(scan, update_poses)});
+    const bool at_update = updates_[scan.updates - 1].time == scan.time;
+    Pose2 pose = path.poses[scan.updates - 1];
+    if (!at_update) {
+      const PosePrior prior = prior_of(scan, path.poses);
+      std::vector<Eigen::Vector2d> hits(scan.hits.size());
+      for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = scan.hits[i].cast<double>();
+      pose = settled_beside(hits, prior, path.map, options_.settling);
+    }
+    result.trajectory.push_back({scan.time, pose});
   }
   result.untrusted_scans = matcher_.estimate().untrusted_scans;
+  for (std::string& remark : troubles_.remarks()) result.remarks.push_back(std::move(remark));
   const auto resamplings =
       std::count_if(updates_.begin(), updates_.end(), [](const Update& u) { return u.resampled; });
   result.remarks.push_back(

@@ -14,6 +14,7 @@
 #include "algorithms/rbpf/settling.h"
 #include "algorithms/rbpf/surface_likelihood.h"
 #include "algorithms/rbpf/surface_map.h"
+#include "algorithms/rbpf/troubles.h"
 #include "algorithms/scan_matching/hit_points.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "core/config/option.h"
@@ -45,10 +46,11 @@ struct GridSlamOptions {
                                      .way_per_turn = 0.02,
                                      .floor_turn = 0.004,
                                      .floor_way = 0.005};
-  IncrementalMatcherOptions matcher;
+  IncrementalMatcherOptions matcher{.local_map = {.max_scans = 40}};
   bool best_only_after_loop = false;
   LoopClosingOptions loop_closing;
   SettlingOptions settling;
+  TroubleOptions troubles;
 };
 
 template <class Visitor>
@@ -71,14 +73,15 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
   visit("best_only_after_loop", o.best_only_after_loop,
         "go on with the best particle alone where a loop is closed");
   visit("loop_closing", o.loop_closing, "when a loop is closed, for best_only_after_loop");
+  visit("troubles", o.troubles, "when the filter says that something is wrong");
   visit("settling", o.settling, "what the drawing of particles left in the estimated path");
 }
 
 // Rao-Blackwellised particle filter, chapter 5: each particle is a path and the map built along it.
 // Between updates scans are matched once for all particles; at an update the particles move, the
 // scan weights them by its end points in their own maps (5.2), and enters those maps. Every scan of
-// the log gets a pose: those between updates hang between the updates about them as scan matching
-// saw them.
+// the log gets a pose: those between updates are matched with the map of the path that is asked
+// for, between the updates about them.
 //
 // No measurement is used twice: the matcher does not remember the scans that weight. Where scans
 // are so far apart that each one weights, there is nothing to condense: then Proposal::improved
@@ -116,8 +119,9 @@ class GridSlam : public Estimator {
   };
   struct SeenScan {
     double time = 0.0;
-    Pose2 seen_from_robot;    // by odometry and scan matching alone
-    std::size_t updates = 0;  // made before this scan, or with it
+    Pose2 seen_from_robot;              // by odometry and scan matching alone
+    std::size_t updates = 0;            // made before this scan, or with it
+    std::vector<Eigen::Vector2f> hits;  // [m] in the robot frame; none where it made an update
   };
   struct Update {
     double time = 0.0;
@@ -148,14 +152,19 @@ class GridSlam : public Estimator {
   void keep_best_only(Update& update);
   const Particle& best() const;
   std::vector<Pose2> path_of(const Particle& particle) const;
-  std::vector<Pose2> settled_path(const Particle& particle) const;
+  SettledPath settled_path(const Particle& particle) const;
   std::vector<Diversity> diversity() const;
-  Pose2 pose_of(const SeenScan& scan, const std::vector<Pose2>& update_poses) const;
+  const MotionModelOptions& motion_errors() const {
+    return options_.proposal == Proposal::odometry ? options_.odometry_errors
+                                                   : options_.matching_errors;
+  }
+  PosePrior prior_of(const SeenScan& scan, const std::vector<Pose2>& update_poses) const;
 
   GridSlamOptions options_;
   Rng rng_;
   SurfaceLikelihood likelihood_;
   OdometryTrack odometry_;
+  Troubles troubles_;
   IncrementalMatcher matcher_;
   std::vector<Particle> particles_;
   std::vector<SeenScan> scans_;
@@ -163,6 +172,7 @@ class GridSlam : public Estimator {
   std::vector<ScanForWeighting> weighting_scans_;  // of the updates
   std::optional<Pose2> odometry_at_update_;
   std::optional<Pose2> odometry_at_matched_scan_;
+  std::optional<Pose2> odometry_at_scan_;
   Pose2 track_from_robot_;
   int condensed_scans_ = 0;  // since the last update
   LoopDetector loop_detector_;

@@ -33,7 +33,18 @@ struct PathStep {
   const ScanForWeighting* scan = nullptr;
 };
 
-std::vector<Pose2> settled(std::vector<PathStep> path, const MotionModelOptions& motion_errors,
-                           const SettlingOptions& options);
+struct SettledPath {
+  std::vector<Pose2> poses;
+  SurfaceMap map;  // that the scans make from there
+};
+SettledPath settled(std::vector<PathStep> path, const MotionModelOptions& motion_errors,
+                    const SettlingOptions& options);
+
+// The optimum of a scan beside the path, matched by itself: it does not enter the map.
+Pose2 settled_beside(const std::vector<Eigen::Vector2d>& hits, const PosePrior& prior,
+                     const SurfaceMap& map, const SettlingOptions& options);
+
+// What two beliefs about one pose say together, to first order in their difference.
+PosePrior together(const PosePrior& a, const PosePrior& b);
 
 }  // namespace mapbed

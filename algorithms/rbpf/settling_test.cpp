@@ -53,14 +53,14 @@ std::vector<Pose2> poses_of(const std::vector<PathStep>& steps) {
 TEST(Settling, TakesOutWhatDrawingAdded) {
   const Walk walk = walk_with_errors(0.02, 0.01);
   const double before = mean_error(walk.truth, poses_of(walk.steps));
-  const double after = mean_error(walk.truth, settled(walk.steps, {}, {}));
+  const double after = mean_error(walk.truth, settled(walk.steps, {}, {}).poses);
   EXPECT_GT(before, 0.02);
   EXPECT_LT(after, 0.25 * before);
 }
 
 TEST(Settling, LeavesAPathThatFitsWhereItIs) {
   const Walk walk = walk_with_errors(0.0, 0.0);
-  const std::vector<Pose2> path = settled(walk.steps, {}, {});
+  const std::vector<Pose2> path = settled(walk.steps, {}, {}).poses;
   for (std::size_t i = 0; i < path.size(); ++i) {
     EXPECT_THAT(path[i], IsNear(walk.truth[i], Tolerance{0.005, 0.003}));
   }
@@ -68,13 +68,13 @@ TEST(Settling, LeavesAPathThatFitsWhereItIs) {
 
 TEST(Settling, WithoutRoundsIsThePathAsItWasDrawn) {
   const Walk walk = walk_with_errors(0.02, 0.01);
-  EXPECT_EQ(settled(walk.steps, {}, {.rounds = 0}), poses_of(walk.steps));
+  EXPECT_EQ(settled(walk.steps, {}, {.rounds = 0}).poses, poses_of(walk.steps));
 }
 
 TEST(Settling, OfOnePoseLeavesIt) {
   const ScanForWeighting nothing;
   const std::vector<PathStep> path{{{1.0, 2.0, 0.3}, {}, &nothing}};
-  EXPECT_EQ(settled(path, {}, {}), poses_of(path));
+  EXPECT_EQ(settled(path, {}, {}).poses, poses_of(path));
 }
 
 }  // namespace

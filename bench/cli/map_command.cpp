@@ -15,6 +15,7 @@
 #include "bench/cli/progress.h"
 #include "bench/map_run.h"
 #include "bench/process_cost.h"
+#include "bench/thread_limit.h"
 #include "core/data_path.h"
 #include "core/input_error.h"
 #include "core/log/log_description.h"
@@ -32,6 +33,7 @@ struct MapArguments {
   std::string resolution;
   std::string seed;
   std::string folder;
+  int threads = 0;  // 0: as many as the machine has processors
   std::vector<std::string> settings;
 };
 
@@ -119,6 +121,7 @@ void print_result(const MapRun& run, const std::string& folder, double total) {
 
 int map_log(const MapArguments& arguments) {
   const InterruptGuard interrupt;
+  const ThreadLimit threads(arguments.threads);
   const Clock::time_point start = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   const Settings settings = settings_from(arguments);
@@ -172,6 +175,10 @@ void add_map_command(CLI::App& program, Action& action) {
       ->allow_extra_args(false);
   command->add_option("--config", arguments->config_file,
                       "YAML with such options, as config.yaml in a result's folder");
+  command
+      ->add_option("-j,--threads", arguments->threads,
+                   "for methods that share their work out; all processors if left out")
+      ->check(CLI::Range(1, 1024));
   command->add_option("--out", arguments->folder,
                       "folder for the results; LOG's name and '_map' here where left out");
   command->callback([arguments, &action] { action = [arguments] { return map_log(*arguments); }; });

@@ -89,6 +89,17 @@ TEST_F(MapCommand, TakesALogByItsDescriptionOrName) {
   expect_refusal({"map", "exampel"}, "did you mean 'example'?");
 }
 
+TEST_F(MapCommand, GivesTheSameBytesForAnyNumberOfThreads) {
+  for (const char* threads : {"1", "2", "8"}) {
+    const Outcome outcome =
+        call({"map", "room.log", "--method", "rbpf", "--set", "rbpf.particles=10", "-j", threads,
+              "--out", std::string("j") + threads});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(text(std::string("j") + threads + "/trajectory.tum"), text("j1/trajectory.tum"));
+  }
+  expect_refusal({"map", "room.log", "-j", "0"}, "--threads");
+}
+
 TEST_F(MapCommand, SaysWhatIsWrongWithTheLog) {
   write("empty.log", "");
   write("words.log", "once upon a time\n");

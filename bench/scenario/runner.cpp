@@ -6,12 +6,12 @@
 #include <map>
 #include <mutex>
 
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include "bench/process_cost.h"
 #include "bench/scenario/memory_gate.h"
+#include "bench/thread_limit.h"
 #include "core/check.h"
 
 namespace mapbed {
@@ -163,8 +163,7 @@ class Runner {
 
 int do_runs(const ScenarioPlan& plan, const std::vector<int>& runs, int threads,
             const RunnerCalls& calls) {
-  const auto count = static_cast<std::size_t>(threads);
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
+  const ThreadLimit limit(threads);
   tbb::task_arena arena(threads);
   const Groups groups = groups_of(plan, runs);
   Runner runner(plan, calls);

@@ -1,0 +1,89 @@
+#include "algorithms/rbpf/troubles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mapbed {
+namespace {
+
+constexpr std::size_t kTold = 3;        // stretches of one kind; more are summed up
+constexpr double kLeastSeconds = 0.25;  // between readings: stamps may be that far off
+
+}  // namespace
+
+void Stretches::tell(double time, bool holds) {
+  if (holds && !holds_) all_.push_back({time, time, 0});
+  if (holds) {
+    all_.back().to = time;
+    ++all_.back().scans;
+  }
+  holds_ = holds;
+}
+
+Odometry Troubles::without_jumps(const Odometry& odometry) {
+  if (!started_) start_ = odometry.time;
+  started_ = true;
+  if (!last_) {
+    passed_ = odometry.odometry_from_robot;
+  } else {
+    const Pose2 step = motion_between(last_->odometry_from_robot, odometry.odometry_from_robot);
+    const double seconds = std::max(kLeastSeconds, odometry.time - last_->time);
+    const double way = std::hypot(step.x, step.y);
+    const bool jumped = way > options_.max_speed * seconds ||
+                        std::abs(step.theta) > options_.max_turn_rate * seconds;
+    if (jumped) largest_jump_ = std::max(largest_jump_, way);
+    jumps_.tell(odometry.time, jumped);
+    if (!jumped) passed_ = passed_ * step;
+  }
+  last_ = odometry;
+  Odometry passed = odometry;
+  passed.odometry_from_robot = passed_;
+  return passed;
+}
+
+void Troubles::scan(double time, const std::optional<Pose2>& step, bool sees_anything) {
+  if (!started_) start_ = time;
+  started_ = true;
+  if (last_scan_) no_odometry_.tell(time, !step);
+  blind_.tell(time, !sees_anything);
+  const bool stood = step && std::hypot(step->x, step->y) <= options_.standing &&
+                     std::abs(step->theta) <= options_.standing;
+  if (last_scan_ && time - *last_scan_ > options_.max_pause && !stood) {
+    pauses_.tell(*last_scan_, true);
+    pauses_.tell(time, true);
+    pauses_.tell(time, false);
+  }
+  last_scan_ = time;
+}
+
+void Troubles::update(double time, double explained) {
+  lost_ = explained < options_.lost_below;
+  lost_stretches_.tell(time, lost_);
+}
+
+std::vector<std::string> Troubles::remarks() const {
+  std::vector<std::string> result;
+  const auto tell = [&](const Stretches& stretches, const std::string& what,
+                        const std::string& then) {
+    const std::vector<Stretches::Stretch>& all = stretches.all();
+    for (std::size_t i = 0; i < std::min(kTold, all.size()); ++i) {
+      result.push_back(fmt::format("{} from {:.1f} s to {:.1f} s after the start{}", what,
+                                   all[i].from - start_, all[i].to - start_, then));
+    }
+    if (all.size() > kTold) result.push_back(fmt::format("{}: {} times in all", what, all.size()));
+  };
+  tell(no_odometry_, "no odometry", ": scans alone say how the robot moves");
+  tell(jumps_, "odometry jumps",
+       fmt::format(" (by up to {:.1f} m): taken as standing still", largest_jump_));
+  tell(pauses_, "no scan", "");
+  tell(blind_, "the laser sees nothing", ": odometry alone says where the robot is");
+  tell(lost_stretches_, "lost",
+       fmt::format(": the map explains less than {:g} % of the scans; where what was mapped before "
+                   "and after lies to each other is not known",
+                   100.0 * options_.lost_below));
+  return result;
+}
+
+}  // namespace mapbed

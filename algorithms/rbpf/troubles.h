@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/config/option.h"
+#include "core/sensor/odometry.h"
+
+namespace mapbed {
+
+// When a filter says that its input or itself is in trouble.
+struct TroubleOptions {
+  double max_speed = 10.0;      // [m/s] odometry that goes faster has jumped
+  double max_turn_rate = 10.0;  // [rad/s] the same
+  double max_pause = 5.0;       // [s] between scans, where the robot did not just stand still
+  double standing = 1.5;        // [m], [rad] up to which it did
+  double lost_below = 0.2;      // of an update's scan that the best particle's map explains
+};
+
+template <class Visitor>
+void visit_fields(TroubleOptions& o, Visitor&& visit) {
+  visit("max_speed", o.max_speed, Unit::meter_per_second, kPositive,
+        "odometry that goes faster has jumped: that step counts as standing still");
+  visit("max_turn_rate", o.max_turn_rate, Unit::radian_per_second, kPositive,
+        "odometry that turns faster has jumped");
+  visit("max_pause", o.max_pause, Unit::second, kPositive, "longer ones between scans are told");
+  visit("standing", o.standing, kNotNegative, "metres or radians up to which it stood still then");
+  visit("lost_below", o.lost_below, kShare,
+        "share of an update's scan that the best map explains where the robot is lost, at most");
+}
+
+// Stretches of time in which something held, told scan by scan.
+class Stretches {
+ public:
+  void tell(double time, bool holds);
+  struct Stretch {
+    double from = 0.0, to = 0.0;  // [s]
+    int scans = 0;
+  };
+  const std::vector<Stretch>& all() const { return all_; }
+
+ private:
+  std::vector<Stretch> all_;
+  bool holds_ = false;
+};
+
+// Collects what the user should know of a run. Lost is a robot that sees next to nothing of what
+// the best particle's map holds: also where it drives into the unknown, a part of each scan still
+// lies on what it has just seen. Soon after, the new place is on the map too and explains its
+// scans; but how it lies to the old one is not known.
+class Troubles {
+ public:
+  explicit Troubles(const TroubleOptions& options) : options_(options) {}
+
+  // The reading as the filter should see it: without the jumps.
+  Odometry without_jumps(const Odometry& odometry);
+  // `step` by odometry since the scan before, if there is any.
+  void scan(double time, const std::optional<Pose2>& step, bool sees_anything);
+  void update(double time, double explained);  // by the best particle's map, of a scan that sees
+
+  bool lost() const { return lost_; }
+  std::vector<std::string> remarks() const;  // times from the first measurement on
+
+ private:
+  TroubleOptions options_;
+  double start_ = 0.0;
+  bool started_ = false;
+  std::optional<Odometry> last_;     // as it came
+  Pose2 passed_;                     // as it was passed on
+  std::optional<double> last_scan_;  // [s] of the newest one
+  bool lost_ = false;
+  Stretches no_odometry_, blind_, jumps_, pauses_, lost_stretches_;
+  double largest_jump_ = 0.0;  // [m]
+};
+
+}  // namespace mapbed

@@ -1,0 +1,92 @@
+#include "algorithms/rbpf/troubles.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/testing/is_near.h"
+
+namespace mapbed {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(Troubles, SayNothingWhereAllIsWell) {
+  Troubles troubles{TroubleOptions{}};
+  for (int i = 0; i < 20; ++i) {
+    const Odometry odometry{.time = 100.0 + i, .odometry_from_robot = {0.5 * i, 0.0, 0.0}};
+    EXPECT_THAT(troubles.without_jumps(odometry).odometry_from_robot,
+                IsNear(odometry.odometry_from_robot, Tolerance{1e-9, 1e-9}));
+    troubles.scan(odometry.time, Pose2{0.5, 0.0, 0.0}, true);
+    troubles.update(odometry.time, 0.8);
+  }
+  EXPECT_FALSE(troubles.lost());
+  EXPECT_THAT(troubles.remarks(), IsEmpty());
+}
+
+TEST(Troubles, AJumpOfOdometryIsTakenOutAndTold) {
+  Troubles troubles{TroubleOptions{}};
+  Pose2 passed;
+  for (int i = 0; i < 10; ++i) {
+    const double jump = i < 5 ? 0.0 : 7.0;
+    passed =
+        troubles
+            .without_jumps({.time = 10.0 + 0.1 * i, .odometry_from_robot = {0.05 * i, jump, 0.0}})
+            .odometry_from_robot;
+  }
+  // The step with the jump counts as standing still.
+  EXPECT_THAT(passed, IsNear(Pose2{8 * 0.05, 0.0, 0.0}, Tolerance{1e-9, 1e-9}));
+  EXPECT_THAT(troubles.remarks(),
+              ElementsAre("odometry jumps from 0.5 s to 0.5 s after the start (by up to 7.0 m): "
+                          "taken as standing still"));
+}
+
+TEST(Troubles, TellWhenOdometryWasMissing) {
+  Troubles troubles{TroubleOptions{}};
+  for (int i = 0; i < 10; ++i) {
+    const bool missing = i >= 3 && i <= 6;
+    troubles.scan(5.0 + i, missing ? std::optional<Pose2>{} : Pose2{}, true);
+  }
+  EXPECT_THAT(troubles.remarks(),
+              ElementsAre(HasSubstr("no odometry from 3.0 s to 6.0 s after the start")));
+}
+
+TEST(Troubles, TellOfAPauseInWhichTheRobotWentOnAndOfNoOther) {
+  Troubles troubles{TroubleOptions{}};
+  troubles.scan(0.0, Pose2{}, true);
+  troubles.scan(12.0, Pose2{0.2, 0.0, 0.0}, true);  // stood
+  EXPECT_THAT(troubles.remarks(), IsEmpty());
+  troubles.scan(24.0, Pose2{6.0, 0.0, 0.0}, true);
+  EXPECT_THAT(troubles.remarks(),
+              ElementsAre(HasSubstr("no scan from 12.0 s to 24.0 s after the start")));
+}
+
+TEST(Troubles, TellOfALaserThatSeesNothing) {
+  Troubles troubles{TroubleOptions{}};
+  for (int i = 0; i < 4; ++i) troubles.scan(i, Pose2{}, i == 0);
+  EXPECT_THAT(troubles.remarks(), ElementsAre(HasSubstr("sees nothing from 1.0 s to 3.0 s")));
+}
+
+TEST(Troubles, ARobotIsLostWhereTheMapExplainsNextToNothing) {
+  Troubles troubles({.lost_below = 0.25});
+  const double explained[] = {0.9, 0.6, 0.1, 0.2, 0.7, 0.8};
+  std::vector<bool> lost;
+  for (int i = 0; i < 6; ++i) {
+    troubles.scan(i, Pose2{}, true);
+    troubles.update(i, explained[i]);
+    lost.push_back(troubles.lost());
+  }
+  EXPECT_THAT(lost, ElementsAre(false, false, true, true, false, false));
+  EXPECT_THAT(troubles.remarks(), ElementsAre(HasSubstr("lost from 2.0 s to 3.0 s")));
+}
+
+TEST(Troubles, ManyOfOneKindAreSummedUp) {
+  Troubles troubles{TroubleOptions{}};
+  for (int i = 0; i < 20; ++i) troubles.scan(i, Pose2{}, i % 2 == 0);
+  EXPECT_EQ(troubles.remarks().size(), 4U);
+  EXPECT_THAT(troubles.remarks().back(), HasSubstr("10 times in all"));
+}
+
+}  // namespace
+}  // namespace mapbed
