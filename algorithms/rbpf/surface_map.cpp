@@ -4,6 +4,7 @@
 #include <atomic>
 #include <limits>
 #include <type_traits>
+#include <unordered_set>
 
 #include "algorithms/rbpf/surface_map_reader.h"
 
@@ -127,12 +128,18 @@ SurfaceMap::Reader::Candidate SurfaceMap::Reader::across_tiles(int cell_x, int c
   return best;
 }
 
-std::size_t SurfaceMap::bytes() const {
-  std::size_t sum = blocks_.size() * sizeof(blocks_[0]);
-  for (const auto& block : blocks_) {
-    if (block == nullptr) continue;
-    sum += sizeof(Block);
-    for (const auto& tile : block->tiles) sum += tile == nullptr ? 0 : sizeof(Tile);
+std::size_t SurfaceMap::distinct_bytes(const std::vector<const SurfaceMap*>& maps) {
+  std::size_t sum = 0;
+  std::unordered_set<const void*> counted;
+  for (const SurfaceMap* map : maps) {
+    sum += map->blocks_.size() * sizeof(map->blocks_[0]);
+    for (const auto& block : map->blocks_) {
+      if (block == nullptr || !counted.insert(block.get()).second) continue;
+      sum += sizeof(Block);
+      for (const auto& tile : block->tiles) {
+        if (tile != nullptr && counted.insert(tile.get()).second) sum += sizeof(Tile);
+      }
+    }
   }
   return sum;
 }

@@ -35,7 +35,8 @@ class SurfaceMap {
 
   class Reader;  // of many points, surface_map_reader.h
 
-  std::size_t bytes() const;  // of all blocks and tiles reachable, shared ones counted in full
+  // Of all that the maps hold together, what they share counted once.
+  static std::size_t distinct_bytes(const std::vector<const SurfaceMap*>& maps);
 
  private:
   static constexpr int kTileBits = 4, kTileSide = 1 << kTileBits;     // cells

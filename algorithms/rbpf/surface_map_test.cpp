@@ -48,6 +48,24 @@ TEST(SurfaceMap, CopiesDoNotSeeEachOthersWriting) {
   EXPECT_TRUE(original.nearest({1.02, 1.03}).found);
 }
 
+// A resampled particle costs what it saw differently, not a map.
+TEST(SurfaceMap, ManyCopiesTakeTheMemoryOfOneAndOfTheirDifferences) {
+  SurfaceMap original(0.1);
+  original.add(scattered(4'000, 2));  // on 40 m x 40 m
+  std::vector<SurfaceMap> copies(50, original);
+  const auto distinct = [&] {
+    std::vector<const SurfaceMap*> maps{&original};
+    for (const SurfaceMap& copy : copies) maps.push_back(&copy);
+    return SurfaceMap::distinct_bytes(maps);
+  };
+  const std::size_t one = SurfaceMap::distinct_bytes({&original});
+  EXPECT_LT(distinct(), 1.1 * static_cast<double>(one));
+  for (SurfaceMap& copy : copies) copy.add({{{5.05, 5.05}}, {{5.15, 5.05}}});
+  // Each has a block and a tile of its own now: some kilobytes of a map of more than a megabyte.
+  EXPECT_GT(one, 1'000'000U);
+  EXPECT_LT(distinct(), one + 50 * 6'000U);
+}
+
 TEST(SurfaceMap, OfNothingFindsNothing) {
   EXPECT_FALSE(SurfaceMap(0.1).nearest({0.0, 0.0}).found);
 }
