@@ -7,15 +7,16 @@
 
 namespace mapbed {
 
+// Made in its place: a limit of TBB's ends with any copy of it.
 struct ThreadLimit::Control {
-  tbb::global_control control;
+  explicit Control(int threads)
+      : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)) {}
+  tbb::global_control limit;
 };
 
 ThreadLimit::ThreadLimit(int threads) {
   const auto processors = static_cast<int>(std::thread::hardware_concurrency());
-  const int count = threads > 0 ? threads : std::max(1, processors);
-  control_ = std::make_unique<Control>(Control{tbb::global_control(
-      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count))});
+  control_ = std::make_unique<Control>(threads > 0 ? threads : std::max(1, processors));
 }
 
 ThreadLimit::~ThreadLimit() = default;
