@@ -2,15 +2,16 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "algorithms/estimator.h"
-#include "algorithms/odometry_track.h"
 #include "algorithms/rbpf/history.h"
 #include "algorithms/rbpf/loop_closing.h"
 #include "algorithms/rbpf/motion_model.h"
+#include "algorithms/rbpf/proposal.h"
 #include "algorithms/rbpf/resampling.h"
+#include "algorithms/rbpf/scan_condenser.h"
+#include "algorithms/rbpf/settled_estimate.h"
 #include "algorithms/rbpf/settling.h"
 #include "algorithms/rbpf/surface_likelihood.h"
 #include "algorithms/rbpf/surface_map.h"
@@ -20,14 +21,6 @@
 #include "core/config/option.h"
 
 namespace mapbed {
-
-// Where the particles of an update are drawn from.
-enum class Proposal : int {
-  odometry,       // the standard filter: raw odometry with its error model
-  scan_matching,  // section 5.3: the scans since the last update, condensed into one corrected
-                  // motion
-  improved,  // Grisetti et al. 2007: the posterior of the update's own scan in each particle's map
-};
 
 struct GridSlamOptions {
   int particles = 100;
@@ -83,12 +76,6 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
 // the log gets a pose: those between updates are matched with the map of the path that is asked
 // for, between the updates about them.
 //
-// No measurement is used twice: the matcher does not remember the scans that weight. Where scans
-// are so far apart that each one weights, there is nothing to condense: then Proposal::improved
-// lets the matcher see them, and the prior of the motion is that of odometry. From a match of the
-// update's own scan it takes only where the search for each particle's optimum starts, and
-// where the next motion begins.
-//
 // With best_only_after_loop it is the maximum-likelihood continuation of section 5.4.2, the earlier
 // way to close loops: a posterior over poses in a single map. The paths that were possible up to a
 // loop are given up for the best of them as soon as the loop is closed.
@@ -117,64 +104,32 @@ class GridSlam : public Estimator {
     SurfaceMap map;
     std::shared_ptr<HistoryNode> history;
   };
-  struct SeenScan {
-    double time = 0.0;
-    Pose2 seen_from_robot;              // by odometry and scan matching alone
-    std::size_t updates = 0;            // made before this scan, or with it
-    std::vector<Eigen::Vector2f> hits;  // [m] in the robot frame; none where it made an update
-  };
-  struct Update {
-    double time = 0.0;
-    Pose2 track_from_robot;
-    Pose2 seen_from_robot;         // the same with the help of the update's scan
-    Pose2 condensed;               // motion by scan matching, up to the last scan before
-    double condensed_until = 0.0;  // [s] stamp of that
-    bool is_condensed = false;     // there was one, and the matcher does not know the update's scan
-    double effective_number = 0.0;
-    bool resampled = false;
-  };
 
   void add_scan(const LaserScan& scan);
-  // Of the robot from the last update to the one to be made.
-  struct UpdateMotion {
-    Pose2 whole;                // by odometry and scan matching
-    Pose2 condensed;            // up to the last scan that was matched before the update's
-    std::optional<Pose2> step;  // on from there, by odometry; none: there is none
-    double seconds = 0.0;       // of that step
-    Pose2 guess;                // with the help of the update's scan
-  };
   void update(const LaserScan& scan, const UpdateMotion& motion);
-  PosePrior prior_of(const Particle& particle, const UpdateMotion& motion) const;
+  void start(const ScanForWeighting& scan);
   void move_and_weight(Particle& particle, const ScanForWeighting& scan, const UpdateMotion& motion,
                        Rng& rng) const;
-  void resample_where_needed(Update& update);
+  void remember(const ScanForWeighting& scan);
+  void resample_where_needed();
   bool closes_loop(const ScanForWeighting& scan);
-  void keep_best_only(Update& update);
+  void keep_best_only();
   const Particle& best() const;
-  std::vector<Pose2> path_of(const Particle& particle) const;
-  SettledPath settled_path(const Particle& particle) const;
-  std::vector<Diversity> diversity() const;
+  std::vector<const HistoryNode*> pasts() const;
   const MotionModelOptions& motion_errors() const {
     return options_.proposal == Proposal::odometry ? options_.odometry_errors
                                                    : options_.matching_errors;
   }
-  PosePrior prior_of(const SeenScan& scan, const std::vector<Pose2>& update_poses) const;
 
   GridSlamOptions options_;
   Rng rng_;
   SurfaceLikelihood likelihood_;
-  OdometryTrack odometry_;
   Troubles troubles_;
-  IncrementalMatcher matcher_;
+  ScanCondenser condenser_;
   std::vector<Particle> particles_;
-  std::vector<SeenScan> scans_;
-  std::vector<Update> updates_;
+  std::vector<KeptHits> hits_;                     // of each scan; none where it made an update
   std::vector<ScanForWeighting> weighting_scans_;  // of the updates
-  std::optional<Pose2> odometry_at_update_;
-  std::optional<Pose2> odometry_at_matched_scan_;
-  std::optional<Pose2> odometry_at_scan_;
-  Pose2 track_from_robot_;
-  int condensed_scans_ = 0;  // since the last update
+  std::vector<Diversity> updates_;                 // the ancestors are not counted
   LoopDetector loop_detector_;
 };
 

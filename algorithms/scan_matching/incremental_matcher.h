@@ -66,6 +66,8 @@ class IncrementalMatcher : public Estimator {
   Pose2 pose() const override { return map_from_robot_; }
   Estimate estimate() const override;
 
+  int untrusted_scans() const { return untrusted_scans_; }
+
   // Where a scan would be put; it is not remembered.
   ScanMatch match(const LaserScan& scan);
 

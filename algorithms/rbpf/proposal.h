@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "algorithms/rbpf/motion_model.h"
+#include "algorithms/scan_matching/motion_prior.h"
+#include "core/geometry/pose_prior.h"
+#include "core/random.h"
+
+namespace mapbed {
+
+// Where the particles of an update are drawn from.
+enum class Proposal : int {
+  odometry,       // the standard filter: raw odometry with its error model
+  scan_matching,  // section 5.3: the scans since the last update, condensed into one corrected
+                  // motion
+  improved,  // Grisetti et al. 2007: the posterior of the update's own scan in each particle's map
+};
+
+// Of the robot from the last update to the one to be made.
+struct UpdateMotion {
+  Pose2 whole;                // by odometry and scan matching
+  Pose2 condensed;            // up to the last scan that was matched before the update's
+  std::optional<Pose2> step;  // on from there, by odometry; none: there is none
+  double seconds = 0.0;       // of that step
+  Pose2 guess;                // with the help of the update's scan
+};
+
+// What the two parts of such a motion are worth.
+struct MotionErrors {
+  MotionModelOptions condensed;  // errors of matching
+  MotionModelOptions odometry;
+  MotionPriorOptions blind;  // a step without odometry
+};
+
+// Where a particle is before the update's scan is looked at: after the condensed motion, whose
+// errors are those of matching, and a step of odometry, or one of unknown speed.
+PosePrior prior_after(const Pose2& start, const UpdateMotion& motion, const MotionErrors& errors);
+
+// A pose drawn from a Gaussian; errors are (x, y, theta) in the mean's frame.
+Pose2 drawn_from(const Pose2& mean, const Eigen::Matrix3d& covariance, Rng& rng);
+
+}  // namespace mapbed

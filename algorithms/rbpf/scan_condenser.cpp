@@ -1,0 +1,84 @@
+#include "algorithms/rbpf/scan_condenser.h"
+
+#include <cmath>
+
+namespace mapbed {
+namespace {
+
+std::optional<Pose2> motion_since(const std::optional<Pose2>& before,
+                                  const std::optional<Pose2>& now) {
+  return before && now ? std::optional<Pose2>(motion_between(*before, *now))
+                       : std::optional<Pose2>{};
+}
+
+}  // namespace
+
+ScanCondenser::ScanCondenser(const ScanCondenserOptions& options)
+    : options_(options), matcher_(options.matcher) {}
+
+void ScanCondenser::add(const Odometry& odometry) {
+  odometry_.add(odometry);
+  matcher_.add(odometry);
+}
+
+bool ScanCondenser::is_due(const Pose2& track) const {
+  if (updates_.empty()) return true;
+  const Pose2 motion = motion_between(updates_.back().track_from_robot, track);
+  return std::hypot(motion.x, motion.y) >= options_.update_distance ||
+         std::abs(motion.theta) >= options_.update_turn;
+}
+
+ScanCondenser::Place ScanCondenser::place_of(const LaserScan& scan,
+                                             const std::optional<Pose2>& step) {
+  const Pose2 carried = track_from_robot_ * step.value_or(Pose2{});
+  if (options_.proposal == Proposal::odometry) return {carried, carried};
+  const bool carried_far = !updates_.empty() && is_due(carried);
+  const bool condensed = condensed_scans_ > 0 || options_.proposal == Proposal::scan_matching;
+  if (carried_far && condensed) return {carried, matcher_.match(scan).map_from_robot, true};
+  matcher_.add(scan);
+  return {matcher_.pose(), matcher_.pose()};
+}
+
+UpdateMotion ScanCondenser::motion_to(const Place& place, const std::optional<Pose2>& step,
+                                      const std::optional<Pose2>& odometry, double time) const {
+  if (updates_.empty()) return {};
+  const Update& before = updates_.back();
+  const bool condensed = condensed_scans_ > 0;
+  return {
+      .whole = motion_between(before.track_from_robot, place.track),
+      .condensed = condensed ? motion_between(before.seen_from_robot, track_from_robot_) : Pose2{},
+      .step = condensed ? step : motion_since(at_update_, odometry),
+      .seconds = time - scans_.back().time,
+      .guess = motion_between(before.seen_from_robot, place.seen)};
+}
+
+ScanCondenser::Result ScanCondenser::add(const LaserScan& scan) {
+  const std::optional<Pose2> odometry =
+      options_.matcher.use_odometry ? odometry_.at(scan.time) : std::optional<Pose2>{};
+  Result result{.step = motion_since(at_scan_, odometry), .update = {}};
+  at_scan_ = odometry;
+
+  const std::optional<Pose2> step = motion_since(at_matched_scan_, odometry);
+  const Place place = place_of(scan, step);
+  if (is_due(place.track)) {
+    result.update = motion_to(place, step, odometry, scan.time);
+    updates_.push_back({.time = scan.time,
+                        .track_from_robot = place.track,
+                        .seen_from_robot = place.seen,
+                        .condensed = result.update->condensed,
+                        .condensed_until = scans_.empty() ? scan.time : scans_.back().time,
+                        .is_condensed = place.withheld && condensed_scans_ > 0});
+    at_update_ = odometry;
+    condensed_scans_ = 0;
+  } else {
+    ++condensed_scans_;
+  }
+  if (!place.withheld) {
+    track_from_robot_ = place.track;
+    at_matched_scan_ = odometry;
+  }
+  scans_.push_back({scan.time, place.seen, updates_.size(), result.update.has_value()});
+  return result;
+}
+
+}  // namespace mapbed

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "algorithms/odometry_track.h"
+#include "algorithms/rbpf/proposal.h"
+#include "algorithms/scan_matching/incremental_matcher.h"
+
+namespace mapbed {
+
+struct ScanCondenserOptions {
+  Proposal proposal = Proposal::improved;
+  double update_distance = 0.5;  // [m] of motion between updates
+  double update_turn = 0.4;      // [rad] of turn between updates
+  IncrementalMatcherOptions matcher;
+};
+
+// The robot's way by odometry and scan matching alone, and where on it the particles are updated:
+// of the scans since the last update all but the newest are condensed into one corrected motion,
+// Figure 5.4.
+//
+// No measurement is used twice: the matcher does not remember the scans that weight. Where scans
+// are so far apart that each one weights, there is nothing to condense: then Proposal::improved
+// lets the matcher see them, and the prior of the motion is that of odometry. From a match of the
+// update's own scan it takes only where the search for each particle's optimum starts, and
+// where the next motion begins.
+class ScanCondenser {
+ public:
+  explicit ScanCondenser(const ScanCondenserOptions& options);
+
+  struct Result {
+    std::optional<Pose2> step;           // by odometry since the scan before, if there is any
+    std::optional<UpdateMotion> update;  // of the update that is due with this scan
+  };
+  void add(const Odometry& odometry);
+  Result add(const LaserScan& scan);
+
+  struct Scan {
+    double time = 0.0;
+    Pose2 seen_from_robot;    // by odometry and scan matching alone
+    std::size_t updates = 0;  // made before this scan, or with it
+    bool is_update = false;
+  };
+  struct Update {
+    double time = 0.0;
+    Pose2 track_from_robot;
+    Pose2 seen_from_robot;         // the same with the help of the update's scan
+    Pose2 condensed;               // motion by scan matching, up to the last scan before
+    double condensed_until = 0.0;  // [s] stamp of that
+    bool is_condensed = false;     // there was one, and the matcher does not know the update's scan
+  };
+  const std::vector<Scan>& scans() const { return scans_; }
+  const std::vector<Update>& updates() const { return updates_; }
+  int untrusted_scans() const { return matcher_.untrusted_scans(); }
+
+ private:
+  // Where the robot is at a scan.
+  struct Place {
+    Pose2 track;            // without the scan, where that is withheld from the matcher
+    Pose2 seen;             // with its help
+    bool withheld = false;  // the matcher does not remember it: it weights
+  };
+  Place place_of(const LaserScan& scan, const std::optional<Pose2>& step);
+  bool is_due(const Pose2& track) const;
+  UpdateMotion motion_to(const Place& place, const std::optional<Pose2>& step,
+                         const std::optional<Pose2>& odometry, double time) const;
+
+  ScanCondenserOptions options_;
+  OdometryTrack odometry_;
+  IncrementalMatcher matcher_;
+  std::vector<Scan> scans_;
+  std::vector<Update> updates_;
+  Pose2 track_from_robot_;   // at the last scan that was matched
+  int condensed_scans_ = 0;  // since the last update
+  // odometry_from_robot at the last update, the last matched scan, the last scan.
+  std::optional<Pose2> at_update_, at_matched_scan_, at_scan_;
+};
+
+}  // namespace mapbed

@@ -1,0 +1,61 @@
+#include "algorithms/rbpf/settled_estimate.h"
+
+#include <utility>
+
+namespace mapbed {
+namespace {
+
+// Between two updates, carried from both by odometry and scan matching.
+PosePrior prior_between(const ScanCondenser::Scan& scan, const std::vector<Pose2>& poses,
+                        const std::vector<ScanCondenser::Update>& updates,
+                        const MotionModelOptions& motion_errors) {
+  const std::size_t before = scan.updates - 1;
+  const auto carried_from = [&](std::size_t update) {
+    return gaussian_after(poses[update],
+                          motion_between(updates[update].seen_from_robot, scan.seen_from_robot),
+                          motion_errors);
+  };
+  if (before + 1 >= updates.size()) return carried_from(before);
+  return together(carried_from(before), carried_from(before + 1));
+}
+
+}  // namespace
+
+SettledPath settled_path(const std::vector<Pose2>& poses,
+                         const std::vector<ScanCondenser::Update>& updates,
+                         const std::vector<ScanForWeighting>& scans,
+                         const MotionModelOptions& motion_errors, const SettlingOptions& options) {
+  std::vector<PathStep> path;
+  path.reserve(poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Pose2 motion =
+        i == 0 ? Pose2{}
+               : motion_between(updates[i - 1].seen_from_robot, updates[i].seen_from_robot);
+    path.push_back({poses[i], motion, &scans[i]});
+  }
+  return settled(std::move(path), motion_errors, options);
+}
+
+Trajectory with_scans_between(const SettledPath& path,
+                              const std::vector<ScanCondenser::Update>& updates,
+                              const std::vector<ScanCondenser::Scan>& scans,
+                              const std::vector<KeptHits>& hits,
+                              const MotionModelOptions& motion_errors,
+                              const SettlingOptions& options) {
+  Trajectory trajectory;
+  trajectory.reserve(scans.size());
+  std::vector<Eigen::Vector2d> points;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    Pose2 pose = path.poses[scans[i].updates - 1];
+    if (!scans[i].is_update) {
+      points.clear();
+      for (const Eigen::Vector2f& hit : hits[i]) points.push_back(hit.cast<double>());
+      pose = settled_beside(points, prior_between(scans[i], path.poses, updates, motion_errors),
+                            path.map, options);
+    }
+    trajectory.push_back({scans[i].time, pose});
+  }
+  return trajectory;
+}
+
+}  // namespace mapbed
