@@ -1,7 +1,10 @@
 #include "algorithms/estimator.h"
 
+#include <type_traits>
+
 #include "algorithms/odometry_estimator.h"
 #include "algorithms/rbpf/grid_slam.h"
+#include "algorithms/rbpf/motion_learning.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
@@ -11,7 +14,11 @@ namespace {
 
 template <class Options>
 Options options_from(Options options, const Settings& settings, const std::string& name) {
-  apply(settings, options_of(options), name);
+  if constexpr (std::is_same_v<Options, GridSlamOptions>) {
+    apply(with_learned_models(settings), options_of(options), name);
+  } else {
+    apply(settings, options_of(options), name);
+  }
   return options;
 }
 

@@ -7,8 +7,8 @@
 #include <Eigen/Dense>
 
 #include "core/check.h"
-#include "core/config/settings.h"
 #include "core/data_path.h"
+#include "core/input_error.h"
 
 namespace mapbed {
 namespace {
@@ -73,6 +73,21 @@ Eigen::Vector3d vector_of(const Pose2& pose) {
 double squared_error(const MotionSample& sample, const PosePrior& prior) {
   const Eigen::Vector3d error = vector_of(motion_between(prior.mean, sample.reference));
   return error.dot(prior.information * error);
+}
+
+Settings settings_of_model(const std::string& name_or_path) {
+  return load_settings(
+      find_data_file("motion model", "algorithms/rbpf/motion_models", name_or_path).string());
+}
+
+// The same, but a wrong name is told with its place.
+Settings model_settings_named_by(const Setting& setting) {
+  try {
+    return settings_of_model(setting.text);
+  } catch (const InputError& error) {
+    if (setting.place.file.empty()) throw;
+    throw InputError(setting.place, error.what());
+  }
 }
 
 }  // namespace
@@ -146,11 +161,26 @@ double error_memory_of(const std::vector<MotionSample>& samples, const MotionMod
 }
 
 MotionModelOptions load_motion_model(const std::string& name_or_path) {
-  const std::string path =
-      find_data_file("motion model", "algorithms/rbpf/motion_models", name_or_path).string();
   MotionModelOptions model;
-  apply(load_settings(path), options_of(model), "motion model");
+  apply(settings_of_model(name_or_path), options_of(model), "motion model");
   return model;
+}
+
+Settings with_learned_models(const Settings& settings) {
+  Settings result;
+  for (const Setting& setting : settings) {
+    const bool is_model = setting.path == "odometry_errors" || setting.path == "matching_errors";
+    const bool is_name = is_model && !setting.text.empty() && setting.text.front() != '{';
+    if (!is_name) {
+      result.push_back(setting);
+      continue;
+    }
+    for (Setting parameter : model_settings_named_by(setting)) {
+      parameter.path = setting.path + "." + parameter.path;
+      result.push_back(std::move(parameter));
+    }
+  }
+  return result;
 }
 
 }  // namespace mapbed

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/rbpf/motion_model.h"
+#include "core/config/settings.h"
 
 namespace mapbed {
 
@@ -39,5 +40,9 @@ double error_memory_of(const std::vector<MotionSample>& samples, const MotionMod
 
 // A parameter file, by its name in algorithms/rbpf/motion_models or by its path. Throws InputError.
 MotionModelOptions load_motion_model(const std::string& name_or_path);
+
+// Settings of a filter, with its error models by name taken from their files: what stands there as
+// `odometry_errors: pioneer_odometry` becomes a setting of each parameter. Throws InputError.
+Settings with_learned_models(const Settings& settings);
 
 }  // namespace mapbed
