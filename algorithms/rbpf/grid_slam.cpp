@@ -94,28 +94,26 @@ void GridSlam::remember(const ScanForWeighting& scan) {
 void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
                                const UpdateMotion& motion, Rng& rng) const {
   const MotionErrors errors{options_.matching_errors, options_.odometry_errors,
-                            options_.matcher.motion};
-  switch (options_.proposal) {
-    case Proposal::odometry:
-    case Proposal::scan_matching: {
-      const bool raw = options_.proposal == Proposal::odometry;
-      const PosePrior prior = raw ? PosePrior{} : prior_after(particle.pose, motion, errors);
-      particle.pose =
-          raw ? particle.pose * sampled_motion(motion.whole, options_.odometry_errors, rng)
-              : drawn_from(prior.mean, prior.information.inverse(), rng);
-      particle.log_weight += likelihood_.log_likelihood(scan, particle.map, particle.pose);
-      return;
-    }
-    case Proposal::improved: {
-      const Pose2 start = particle.pose * motion.guess;
-      const PosePrior prior = prior_after(particle.pose, motion, errors);
-      const LocalPosterior posterior =
-          likelihood_.local_posterior(start, scan, particle.map, prior);
-      particle.pose = drawn_from(posterior.mode, posterior.covariance, rng);
-      particle.log_weight += posterior.log_evidence;
-      return;
-    }
+                            options_.matcher.motion, options_.matcher.recovery.window,
+                            options_.matcher.recovery.turn_window};
+  // Where odometry is known to be wrong, the scan alone says where to draw.
+  const bool from_scan = options_.proposal == Proposal::improved ||
+                         (options_.proposal == Proposal::scan_matching && motion.step_refuted);
+  if (from_scan) {
+    const PosePrior prior = prior_after(particle.pose, motion, errors);
+    const LocalPosterior posterior =
+        likelihood_.local_posterior(particle.pose * motion.guess, scan, particle.map, prior);
+    particle.pose = drawn_from(posterior.mode, posterior.covariance, rng);
+    particle.log_weight += posterior.log_evidence;
+    return;
   }
+  if (options_.proposal == Proposal::odometry) {
+    particle.pose = particle.pose * sampled_motion(motion.whole, options_.odometry_errors, rng);
+  } else {
+    const PosePrior prior = prior_after(particle.pose, motion, errors);
+    particle.pose = drawn_from(prior.mean, prior.information.inverse(), rng);
+  }
+  particle.log_weight += likelihood_.log_likelihood(scan, particle.map, particle.pose);
 }
 
 void GridSlam::resample_where_needed() {

@@ -22,14 +22,22 @@ PosePrior chained(const PosePrior& start, const PosePrior& step) {
   return {.mean = step.mean, .information = covariance.inverse()};
 }
 
+// A belief about the end of the last step, after the condensed motion to `before`.
+PosePrior prior_of_step(const Pose2& before, const UpdateMotion& motion,
+                        const MotionErrors& errors) {
+  if (motion.step_refuted) {
+    return independent_prior(before * motion.step.value_or(Pose2{}), errors.refuted_way,
+                             errors.refuted_way, errors.refuted_turn);
+  }
+  return motion.step ? gaussian_after(before, *motion.step, errors.odometry)
+                     : predict_blindly(before, {}, motion.seconds, errors.blind);
+}
+
 }  // namespace
 
 PosePrior prior_after(const Pose2& start, const UpdateMotion& motion, const MotionErrors& errors) {
   const PosePrior condensed = gaussian_after(start, motion.condensed, errors.condensed);
-  const PosePrior step = motion.step
-                             ? gaussian_after(condensed.mean, *motion.step, errors.odometry)
-                             : predict_blindly(condensed.mean, {}, motion.seconds, errors.blind);
-  return chained(condensed, step);
+  return chained(condensed, prior_of_step(condensed.mean, motion, errors));
 }
 
 Pose2 drawn_from(const Pose2& mean, const Eigen::Matrix3d& covariance, Rng& rng) {

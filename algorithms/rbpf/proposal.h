@@ -26,6 +26,9 @@ struct UpdateMotion {
   std::optional<Pose2> step;  // on from there, by odometry; none: there is none
   double seconds = 0.0;       // of that step
   Pose2 guess;                // with the help of the update's scan
+  // The scan fits nowhere near where the step ends, but elsewhere: wheels that spun, odometry that
+  // missed a turn. What the step says then counts for nothing.
+  bool step_refuted = false;
 };
 
 // What the two parts of such a motion are worth.
@@ -33,6 +36,9 @@ struct MotionErrors {
   MotionModelOptions condensed;  // errors of matching
   MotionModelOptions odometry;
   MotionPriorOptions blind;  // a step without odometry
+  // Of a refuted step: anywhere in the window that was searched.
+  double refuted_way = 1.0;    // [m]
+  double refuted_turn = 3.15;  // [rad]
 };
 
 // Where a particle is before the update's scan is looked at: after the condensed motion, whose

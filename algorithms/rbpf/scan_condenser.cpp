@@ -34,9 +34,13 @@ ScanCondenser::Place ScanCondenser::place_of(const LaserScan& scan,
   if (options_.proposal == Proposal::odometry) return {carried, carried};
   const bool carried_far = !updates_.empty() && is_due(carried);
   const bool condensed = condensed_scans_ > 0 || options_.proposal == Proposal::scan_matching;
-  if (carried_far && condensed) return {carried, matcher_.match(scan).map_from_robot, true};
+  if (carried_far && condensed) {
+    const ScanMatch match = matcher_.match(scan);
+    return {carried, match.map_from_robot, true, match.refutes_prediction};
+  }
   matcher_.add(scan);
-  return {matcher_.pose(), matcher_.pose()};
+  const ScanMatch& match = matcher_.last_match();
+  return {matcher_.pose(), matcher_.pose(), false, match.refutes_prediction};
 }
 
 UpdateMotion ScanCondenser::motion_to(const Place& place, const std::optional<Pose2>& step,
@@ -49,7 +53,8 @@ UpdateMotion ScanCondenser::motion_to(const Place& place, const std::optional<Po
       .condensed = condensed ? motion_between(before.seen_from_robot, track_from_robot_) : Pose2{},
       .step = condensed ? step : motion_since(at_update_, odometry),
       .seconds = time - scans_.back().time,
-      .guess = motion_between(before.seen_from_robot, place.seen)};
+      .guess = motion_between(before.seen_from_robot, place.seen),
+      .step_refuted = place.refutes_step};
 }
 
 ScanCondenser::Result ScanCondenser::add(const LaserScan& scan) {

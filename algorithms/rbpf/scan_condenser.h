@@ -61,6 +61,8 @@ class ScanCondenser {
     Pose2 track;            // without the scan, where that is withheld from the matcher
     Pose2 seen;             // with its help
     bool withheld = false;  // the matcher does not remember it: it weights
+    bool refutes_step =
+        false;  // found elsewhere than odometry's step from the last matched scan ends
   };
   Place place_of(const LaserScan& scan, const std::optional<Pose2>& step);
   bool is_due(const Pose2& track) const;

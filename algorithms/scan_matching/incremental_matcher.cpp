@@ -103,8 +103,9 @@ ScanMatch IncrementalMatcher::recovered(const FieldPoints& points, const ScanMat
   const PosePrior anywhere{.mean = match.map_from_robot};
   const BoundPyramid wide = make_bound_pyramid(field_, options_.recovery.window);
   const ScanMatch found = match_correlative(points, field_, wide, anywhere, options_.recovery);
-  const ScanMatch refined =
+  ScanMatch refined =
       match_scan_from(found.map_from_robot, points, field_, anywhere, options_.climb);
+  refined.refutes_prediction = true;
   return refined.explained >= options_.recovery.min_explained ? refined : match;
 }
 
