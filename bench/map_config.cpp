@@ -18,6 +18,28 @@ bool is_method(const std::string& name) {
                      [&](const Method& method) { return method.name == name; });
 }
 
+template <class Try>
+bool is_accepted(Try&& apply_it) {
+  try {
+    apply_it();
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+// 'particles=30' of somebody who means 'rbpf.particles=30'.
+void check_group_is_named(const Settings& own, const Method& method) {
+  for (const Setting& setting : own) {
+    MapConfig config;
+    if (is_accepted([&] { apply({setting}, options_of(config), ""); })) continue;
+    if (!is_accepted([&] { (void)method.complete_yaml({setting}); })) continue;
+    throw InputError(setting.place,
+                     in_quotes(setting.path) + " is an option of the method " + method.name,
+                     "write '" + method.name + "." + setting.path + "'");
+  }
+}
+
 std::string indented(const std::string& yaml) {
   std::istringstream lines(yaml);
   std::string result;
@@ -33,8 +55,12 @@ MapConfig map_config_from(const Settings& settings, MapConfig config) {
   for (const Setting& setting : settings) {
     (is_method(group_of(setting)) ? of_methods : own).push_back(setting);
   }
-  apply(own, options_of(config), "");
+  for (const Setting& setting : own) {
+    if (setting.path == "method") config.method = setting.text;
+  }
   const Method& method = method_by_name(config.method);
+  check_group_is_named(own, method);
+  apply(own, options_of(config), "");
   for (Setting setting : of_methods) {
     const std::string group = group_of(setting);
     if (group != config.method) {

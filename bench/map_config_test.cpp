@@ -49,6 +49,24 @@ TEST(MapConfig, RefusesWhatNobodyTakes) {
       refuses_with("'odometry' has keys and takes no value"));
 }
 
+TEST(MapConfig, TellsWhereAnOptionOfTheMethodBelongs) {
+  EXPECT_THAT(
+      [] {
+        config_of({"particles=30", "method=rbpf"});
+      },
+      refuses_with("'particles' is an option of the method rbpf; write 'rbpf.particles'"));
+  EXPECT_THAT(
+      [] {
+        config_of({"method=rbpf", "likelihood.sigma=5 cm"});
+      },
+      refuses_with("write 'rbpf.likelihood.sigma'"));
+  EXPECT_THAT(
+      [] {
+        config_of({"method=odometry", "particles=30"});
+      },
+      refuses_with("unknown key 'particles'"));
+}
+
 TEST(MapConfig, RefusesWrongUnitsAndSizesThatMakeNoSense) {
   EXPECT_THAT([] { config_of({"map.resolution=2 kg"}); }, refuses_with("'2 kg' is no length"));
   EXPECT_THAT([] { config_of({"map.resolution=-5 cm"}); }, refuses_with("resolution"));

@@ -15,6 +15,7 @@
 #include "core/atomic_file.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
+#include "core/input_error.h"
 
 namespace mapbed {
 namespace {
@@ -125,6 +126,12 @@ MapRun make_map(const RecordedLog& log, const MapConfig& config,
 
 void write_map_run(const std::string& folder, const std::string& log_name, const RecordedLog& log,
                    const MapRun& run) {
+  if (known_box(run.map).empty()) {
+    throw InputError({log_name},
+                     "no beam of any scan counts, so there is no map: the laser sees nothing, or "
+                     "all beams are longer than the usable range",
+                     "raise map.beams.usable_range, or take another log; nothing was written");
+  }
   const auto in_folder = [&](const char* name) {
     return (std::filesystem::path(folder) / name).string();
   };

@@ -1,7 +1,11 @@
 #include "bench/map_run.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
+#include "core/testing/temporary_folder.h"
 #include "core/testing/test_room.h"
 #include "core/testing/throws_input_error.h"
 
@@ -39,6 +43,20 @@ TEST(MapRun, RefusesAMapThatCannotBeWrittenBeforeTheWorkIsDone) {
   const auto count = [&](std::size_t, std::size_t) { return ++asked > 0; };
   EXPECT_INPUT_ERROR(make_map(room_log(), config, count), "the map of the first scan alone is ");
   EXPECT_EQ(asked, 0);
+}
+
+TEST(MapRun, WritesNothingOfALaserThatSeesNothing) {
+  RecordedLog log = room_log();
+  for (Measurement& measurement : log.measurements) {
+    auto* scan = std::get_if<LaserScan>(&measurement);
+    if (scan != nullptr) std::fill(scan->ranges.begin(), scan->ranges.end(), 0.0);
+  }
+  const MapRun run =
+      make_map(log, {.method = "rbpf"}, [](std::size_t, std::size_t) { return true; });
+  const TemporaryFolder folder;
+  EXPECT_INPUT_ERROR(write_map_run(folder.file("."), "blind.log", log, run),
+                     "blind.log: no beam of any scan counts");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.file(".")));
 }
 
 }  // namespace
