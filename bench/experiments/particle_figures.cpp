@@ -1,7 +1,10 @@
 #include "bench/experiments/particle_figures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,14 +14,54 @@ namespace mapbed {
 namespace {
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFinest = 0.02;  // [m] half a pixel of a picture of 30 m
 
 // Finer than any picture; full digits would make the files of many paths three times as long.
 double rounded(double value) {
   return std::round(1000.0 * value) / 1000.0;
 }
 
+double distance_to_line(const Pose2& pose, const Pose2& from, const Pose2& to) {
+  const Eigen::Vector2d along = to.position() - from.position();
+  const Eigen::Vector2d off = pose.position() - from.position();
+  const double length = along.norm();
+  if (length == 0.0) return off.norm();
+  const double share = std::clamp(off.dot(along) / (length * length), 0.0, 1.0);
+  return (off - share * along).norm();
+}
+
+// The poses of a path that a picture needs: all others lie within `tolerance` of the lines between
+// them (Douglas and Peucker 1973). The paths of a thousand particles would fill megabytes.
+Trajectory thinned(const Trajectory& path, double tolerance) {
+  if (path.size() < 3) return path;
+  std::vector<bool> kept(path.size(), false);
+  kept.front() = kept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> stretches{{0, path.size() - 1}};
+  while (!stretches.empty()) {
+    const auto [from, to] = stretches.back();
+    stretches.pop_back();
+    double farthest = tolerance;
+    std::size_t worst = from;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double off = distance_to_line(path[i].pose, path[from].pose, path[to].pose);
+      if (off <= farthest) continue;
+      farthest = off;
+      worst = i;
+    }
+    if (worst == from) continue;
+    kept[worst] = true;
+    stretches.emplace_back(from, worst);
+    stretches.emplace_back(worst, to);
+  }
+  Trajectory result;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (kept[i]) result.push_back(path[i]);
+  }
+  return result;
+}
+
 void append(const Trajectory& path, const Pose2& world_from_path, Series& series) {
-  for (const StampedPose& stamped : path) {
+  for (const StampedPose& stamped : thinned(path, kFinest)) {
     const Pose2 pose = world_from_path * stamped.pose;
     series.x.push_back(rounded(pose.x));
     series.y.push_back(rounded(pose.y));

@@ -1,5 +1,7 @@
 #include "bench/experiments/particle_figures.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "bench/report/testing/well_formed.h"
@@ -33,6 +35,19 @@ TEST(ParticleFigures, ShowAllPathsInTheWorldUpToNow) {
   EXPECT_THAT(files[1].content, HasSubstr("7,5.5"));
   EXPECT_THAT(files[1].content, HasSubstr("7,4.5"));
   EXPECT_THAT(files[1].content, ::testing::Not(HasSubstr("50,50")));  // true, but later
+}
+
+TEST(ParticleFigures, LeaveOutWhatNobodyWouldSee) {
+  Hypotheses along_a_corner;
+  Trajectory path;
+  for (int i = 0; i <= 100; ++i) path.push_back({0.0 + i, {0.1 * i, i % 2 == 0 ? 0.0 : 0.01, 0.0}});
+  for (int i = 1; i <= 100; ++i) path.push_back({100.0 + i, {10.0, 0.1 * i, 0.0}});
+  along_a_corner.branches = {path};
+  const std::string csv = path_figure(along_a_corner, {}, {}, 200.0)[1].content;
+  EXPECT_THAT(csv, HasSubstr(",0,0,,\n"));
+  EXPECT_THAT(csv, HasSubstr(",10,0,,\n"));  // the corner
+  EXPECT_THAT(csv, HasSubstr(",10,10,,\n"));
+  EXPECT_LE(std::count(csv.begin(), csv.end(), '\n'), 6);  // with the head and the gap's line
 }
 
 TEST(ParticleFigures, ShowHowManyAncestorsAreLeft) {
