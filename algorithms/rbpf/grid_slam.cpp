@@ -56,14 +56,13 @@ void GridSlam::update(const LaserScan& scan, const UpdateMotion& motion) {
     start(prepared_scan);
     return;
   }
+  const std::vector<double> weights_before = log_weights();
   tbb::parallel_for(std::size_t{0}, particles_.size(), [&](std::size_t i) {
     Rng own = rng_.stream("particle", i, number);
     move_and_weight(particles_[i], prepared_scan, motion, own);
   });
-  if (prepared_scan.hits.size() >= kMinHits) {
-    troubles_.update(scan.time,
-                     likelihood_.explained_share(prepared_scan, best().map, best().pose));
-  }
+  const bool sees = prepared_scan.hits.size() >= kMinHits;
+  if (sees && found_again(prepared_scan, weights_before)) return;
   if (options_.best_only_after_loop && closes_loop(prepared_scan)) {
     keep_best_only();
   } else {
@@ -79,6 +78,49 @@ void GridSlam::start(const ScanForWeighting& scan) {
   first.map.add(transformed(scan.surface, first.pose));
   particles_.assign(static_cast<std::size_t>(options_.particles), first);
   updates_.back().effective_number = static_cast<double>(particles_.size());
+}
+
+// Whether the robot is where the particles have it. True where it is not, but was found elsewhere:
+// then the particles were made anew, with this update's scan.
+bool GridSlam::found_again(const ScanForWeighting& scan,
+                           const std::vector<double>& weights_before) {
+  const double time = updates_.back().time;
+  const double explained = likelihood_.explained_share(scan, best().map, best().pose);
+  const std::optional<double> interruption = troubles_.interruption();
+  if (interruption || (troubles_.loses(explained) && !recovery_)) {
+    begin_recovery(interruption.value_or(time), weights_before);
+  }
+  PlaceSearch::Answer place{.is_here = true};
+  if (recovery_) place = recovery_->find({weighting_scans_, condenser_.updates()}, best().pose);
+  troubles_.update(time, explained, place.is_here || place.fits_here);
+  if (place.elsewhere) {
+    restart_at(*place.elsewhere);
+  } else if (!place.is_here) {
+    condenser_.forget_past_if_unmatched();
+  }
+  const bool over = place.is_here || place.elsewhere ||
+                    recovery_->gives_up({weighting_scans_, condenser_.updates()});
+  if (over) recovery_.reset();
+  return place.elsewhere.has_value();
+}
+
+// The robot may be anywhere with this update; the particles' maps do not know its scan yet. What
+// was seen since a trouble before that lies elsewhere again.
+void GridSlam::begin_recovery(double since, const std::vector<double>& weights_before) {
+  if (options_.relocalization.max_updates == 0) return;
+  std::vector<Particle> before = particles_;
+  for (std::size_t i = 0; i < before.size(); ++i) before[i].log_weight = weights_before[i];
+  recovery_.emplace(since, std::move(before),
+                    Recovery::Updates{weighting_scans_, condenser_.updates()},
+                    options_.likelihood.beam_weight, options_.relocalization);
+}
+
+void GridSlam::restart_at(const Pose2& found) {
+  particles_ = recovery_->restarted(found, {weighting_scans_, condenser_.updates()}, likelihood_,
+                                    options_.matching_errors, rng_);
+  resample_where_needed();
+  troubles_.found_again(recovery_->since(), updates_.back().time);
+  breaks_.push_back({recovery_->since(), recovery_->first_update()});
 }
 
 // The scan enters each particle's map, and where it was seen from its past.
@@ -116,10 +158,15 @@ void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
   particle.log_weight += likelihood_.log_likelihood(scan, particle.map, particle.pose);
 }
 
+std::vector<double> GridSlam::log_weights() const {
+  std::vector<double> result;
+  for (const Particle& particle : particles_) result.push_back(particle.log_weight);
+  return result;
+}
+
 void GridSlam::resample_where_needed() {
   Diversity& update = updates_.back();
-  std::vector<double> log_weights;
-  for (const Particle& particle : particles_) log_weights.push_back(particle.log_weight);
+  const std::vector<double> log_weights = this->log_weights();
   const std::vector<double> weights = normalized(log_weights);
   update.effective_number = effective_number(weights);
   const auto count = static_cast<double>(particles_.size());
@@ -160,7 +207,7 @@ void GridSlam::keep_best_only() {
   for (Particle& particle : particles_) particle = survivor;
 }
 
-const GridSlam::Particle& GridSlam::best() const {
+const Particle& GridSlam::best() const {
   CHECK(!particles_.empty());
   return *std::max_element(
       particles_.begin(), particles_.end(),
@@ -195,11 +242,12 @@ Hypotheses GridSlam::hypotheses() const {
 
 Estimate GridSlam::estimate() const {
   if (particles_.empty()) return {};
-  const SettledPath path = settled_path(path_of(*best().history), condenser_.updates(),
-                                        weighting_scans_, motion_errors(), options_.settling);
+  const SettledPath path =
+      settled_path(path_of(*best().history), condenser_.updates(), weighting_scans_, breaks_,
+                   motion_errors(), options_.settling);
   Estimate result;
   result.trajectory = with_scans_between(path, condenser_.updates(), condenser_.scans(), hits_,
-                                         motion_errors(), options_.settling);
+                                         breaks_, motion_errors(), options_.settling);
   result.untrusted_scans = condenser_.untrusted_scans();
   result.remarks = troubles_.remarks();
   const auto resamplings = std::count_if(updates_.begin(), updates_.end(),

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "algorithms/estimator.h"
-#include "algorithms/rbpf/history.h"
 #include "algorithms/rbpf/loop_closing.h"
 #include "algorithms/rbpf/motion_model.h"
+#include "algorithms/rbpf/particle.h"
 #include "algorithms/rbpf/proposal.h"
+#include "algorithms/rbpf/recovery.h"
 #include "algorithms/rbpf/resampling.h"
 #include "algorithms/rbpf/scan_condenser.h"
 #include "algorithms/rbpf/settled_estimate.h"
@@ -44,6 +45,7 @@ struct GridSlamOptions {
   LoopClosingOptions loop_closing;
   SettlingOptions settling;
   TroubleOptions troubles;
+  RelocalizationOptions relocalization;
 };
 
 template <class Visitor>
@@ -67,6 +69,7 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
         "go on with the best particle alone where a loop is closed");
   visit("loop_closing", o.loop_closing, "when a loop is closed, for best_only_after_loop");
   visit("troubles", o.troubles, "when the filter says that something is wrong");
+  visit("relocalization", o.relocalization, "how a robot that was carried away finds itself again");
   visit("settling", o.settling, "what the drawing of particles left in the estimated path");
 }
 
@@ -75,6 +78,9 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
 // scan weights them by its end points in their own maps (5.2), and enters those maps. Every scan of
 // the log gets a pose: those between updates are matched with the map of the path that is asked
 // for, between the updates about them.
+//
+// Where the robot may be anywhere (odometry jumped, scans were missing, the map explains nothing),
+// it is looked for in the whole map, and the particles start again where it is found: recovery.h.
 //
 // With best_only_after_loop it is the maximum-likelihood continuation of section 5.4.2, the earlier
 // way to close loops: a posterior over poses in a single map. The paths that were possible up to a
@@ -98,19 +104,16 @@ class GridSlam : public Estimator {
   std::vector<Motion> motions() const;
 
  private:
-  struct Particle {
-    Pose2 pose;  // map_from_robot at the last update
-    double log_weight = 0.0;
-    SurfaceMap map;
-    std::shared_ptr<HistoryNode> history;
-  };
-
   void add_scan(const LaserScan& scan);
   void update(const LaserScan& scan, const UpdateMotion& motion);
   void start(const ScanForWeighting& scan);
   void move_and_weight(Particle& particle, const ScanForWeighting& scan, const UpdateMotion& motion,
                        Rng& rng) const;
+  bool found_again(const ScanForWeighting& scan, const std::vector<double>& weights_before);
+  void begin_recovery(double since, const std::vector<double>& weights_before);
+  void restart_at(const Pose2& found);
   void remember(const ScanForWeighting& scan);
+  std::vector<double> log_weights() const;
   void resample_where_needed();
   bool closes_loop(const ScanForWeighting& scan);
   void keep_best_only();
@@ -131,6 +134,8 @@ class GridSlam : public Estimator {
   std::vector<ScanForWeighting> weighting_scans_;  // of the updates
   std::vector<Diversity> updates_;                 // the ancestors are not counted
   LoopDetector loop_detector_;
+  std::optional<Recovery> recovery_;  // since a trouble
+  std::vector<Break> breaks_;
 };
 
 }  // namespace mapbed

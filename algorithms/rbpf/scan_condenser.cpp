@@ -21,6 +21,10 @@ void ScanCondenser::add(const Odometry& odometry) {
   matcher_.add(odometry);
 }
 
+void ScanCondenser::forget_past_if_unmatched() {
+  if (!newest_.matched) matcher_.forget_past(!newest_.withheld);
+}
+
 bool ScanCondenser::is_due(const Pose2& track) const {
   if (updates_.empty()) return true;
   const Pose2 motion = motion_between(updates_.back().track_from_robot, track);
@@ -36,11 +40,11 @@ ScanCondenser::Place ScanCondenser::place_of(const LaserScan& scan,
   const bool condensed = condensed_scans_ > 0 || options_.proposal == Proposal::scan_matching;
   if (carried_far && condensed) {
     const ScanMatch match = matcher_.match(scan);
-    return {carried, match.map_from_robot, true, match.refutes_prediction};
+    return {carried, match.map_from_robot, true, match.refutes_prediction, match.trustworthy};
   }
   matcher_.add(scan);
   const ScanMatch& match = matcher_.last_match();
-  return {matcher_.pose(), matcher_.pose(), false, match.refutes_prediction};
+  return {matcher_.pose(), matcher_.pose(), false, match.refutes_prediction, match.trustworthy};
 }
 
 UpdateMotion ScanCondenser::motion_to(const Place& place, const std::optional<Pose2>& step,
@@ -82,6 +86,7 @@ ScanCondenser::Result ScanCondenser::add(const LaserScan& scan) {
     track_from_robot_ = place.track;
     at_matched_scan_ = odometry;
   }
+  newest_ = place;
   scans_.push_back({scan.time, place.seen, updates_.size(), result.update.has_value()});
   return result;
 }

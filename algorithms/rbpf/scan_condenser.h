@@ -37,6 +37,10 @@ class ScanCondenser {
   void add(const Odometry& odometry);
   Result add(const LaserScan& scan);
 
+  // The newest scan fits nowhere: those after it are matched with it alone, not with what was seen
+  // before, so that at least they lie right to each other.
+  void forget_past_if_unmatched();
+
   struct Scan {
     double time = 0.0;
     Pose2 seen_from_robot;    // by odometry and scan matching alone
@@ -61,8 +65,9 @@ class ScanCondenser {
     Pose2 track;            // without the scan, where that is withheld from the matcher
     Pose2 seen;             // with its help
     bool withheld = false;  // the matcher does not remember it: it weights
-    bool refutes_step =
-        false;  // found elsewhere than odometry's step from the last matched scan ends
+    // Found elsewhere than odometry's step from the last matched scan ends.
+    bool refutes_step = false;
+    bool matched = true;  // false: it fits nowhere
   };
   Place place_of(const LaserScan& scan, const std::optional<Pose2>& step);
   bool is_due(const Pose2& track) const;
@@ -72,6 +77,7 @@ class ScanCondenser {
   ScanCondenserOptions options_;
   OdometryTrack odometry_;
   IncrementalMatcher matcher_;
+  Place newest_;
   std::vector<Scan> scans_;
   std::vector<Update> updates_;
   Pose2 track_from_robot_;   // at the last scan that was matched

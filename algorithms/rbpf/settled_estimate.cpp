@@ -1,14 +1,21 @@
 #include "algorithms/rbpf/settled_estimate.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace mapbed {
 namespace {
 
+const Break* break_before(std::size_t update, const std::vector<Break>& breaks) {
+  const auto found = std::find_if(breaks.begin(), breaks.end(),
+                                  [&](const Break& b) { return b.update == update; });
+  return found == breaks.end() ? nullptr : &*found;
+}
+
 // Between two updates, carried from both by odometry and scan matching.
 PosePrior prior_between(const ScanCondenser::Scan& scan, const std::vector<Pose2>& poses,
                         const std::vector<ScanCondenser::Update>& updates,
-                        const MotionModelOptions& motion_errors) {
+                        const std::vector<Break>& breaks, const MotionModelOptions& motion_errors) {
   const std::size_t before = scan.updates - 1;
   const auto carried_from = [&](std::size_t update) {
     return gaussian_after(poses[update],
@@ -16,6 +23,9 @@ PosePrior prior_between(const ScanCondenser::Scan& scan, const std::vector<Pose2
                           motion_errors);
   };
   if (before + 1 >= updates.size()) return carried_from(before);
+  if (const Break* broken = break_before(before + 1, breaks)) {
+    return carried_from(scan.time < broken->time ? before : before + 1);
+  }
   return together(carried_from(before), carried_from(before + 1));
 }
 
@@ -24,13 +34,18 @@ PosePrior prior_between(const ScanCondenser::Scan& scan, const std::vector<Pose2
 SettledPath settled_path(const std::vector<Pose2>& poses,
                          const std::vector<ScanCondenser::Update>& updates,
                          const std::vector<ScanForWeighting>& scans,
-                         const MotionModelOptions& motion_errors, const SettlingOptions& options) {
+                         const std::vector<Break>& breaks, const MotionModelOptions& motion_errors,
+                         const SettlingOptions& options) {
   std::vector<PathStep> path;
   path.reserve(poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Pose2 motion =
-        i == 0 ? Pose2{}
-               : motion_between(updates[i - 1].seen_from_robot, updates[i].seen_from_robot);
+    Pose2 motion;
+    if (i > 0) {
+      // Across a break the filter alone says how the places lie to each other.
+      motion = break_before(i, breaks) != nullptr
+                   ? motion_between(poses[i - 1], poses[i])
+                   : motion_between(updates[i - 1].seen_from_robot, updates[i].seen_from_robot);
+    }
     path.push_back({poses[i], motion, &scans[i]});
   }
   return settled(std::move(path), motion_errors, options);
@@ -39,7 +54,7 @@ SettledPath settled_path(const std::vector<Pose2>& poses,
 Trajectory with_scans_between(const SettledPath& path,
                               const std::vector<ScanCondenser::Update>& updates,
                               const std::vector<ScanCondenser::Scan>& scans,
-                              const std::vector<KeptHits>& hits,
+                              const std::vector<KeptHits>& hits, const std::vector<Break>& breaks,
                               const MotionModelOptions& motion_errors,
                               const SettlingOptions& options) {
   Trajectory trajectory;
@@ -50,7 +65,8 @@ Trajectory with_scans_between(const SettledPath& path,
     if (!scans[i].is_update) {
       points.clear();
       for (const Eigen::Vector2f& hit : hits[i]) points.push_back(hit.cast<double>());
-      pose = settled_beside(points, prior_between(scans[i], path.poses, updates, motion_errors),
+      pose = settled_beside(points,
+                            prior_between(scans[i], path.poses, updates, breaks, motion_errors),
                             path.map, options);
     }
     trajectory.push_back({scans[i].time, pose});

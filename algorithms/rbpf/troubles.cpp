@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -22,6 +23,13 @@ void Stretches::tell(double time, bool holds) {
   holds_ = holds;
 }
 
+Stretches Stretches::without(const std::function<bool(double)>& left_out) const {
+  Stretches rest;
+  std::copy_if(all_.begin(), all_.end(), std::back_inserter(rest.all_),
+               [&](const Stretch& stretch) { return !left_out(stretch.from); });
+  return rest;
+}
+
 Odometry Troubles::without_jumps(const Odometry& odometry) {
   if (!started_) start_ = odometry.time;
   started_ = true;
@@ -35,6 +43,7 @@ Odometry Troubles::without_jumps(const Odometry& odometry) {
                         std::abs(step.theta) > options_.max_turn_rate * seconds;
     if (jumped) largest_jump_ = std::max(largest_jump_, way);
     jumps_.tell(odometry.time, jumped);
+    if (jumped) interruption_ = odometry.time;
     if (!jumped) passed_ = passed_ * step;
   }
   last_ = odometry;
@@ -48,19 +57,31 @@ void Troubles::scan(double time, const std::optional<Pose2>& step, bool sees_any
   started_ = true;
   if (last_scan_) no_odometry_.tell(time, !step);
   blind_.tell(time, !sees_anything);
+  if (!sees_anything && !step) interruption_ = time;
   const bool stood = step && std::hypot(step->x, step->y) <= options_.standing &&
                      std::abs(step->theta) <= options_.standing;
   if (last_scan_ && time - *last_scan_ > options_.max_pause && !stood) {
     pauses_.tell(*last_scan_, true);
     pauses_.tell(time, true);
     pauses_.tell(time, false);
+    if (!step) interruption_ = time;
   }
   last_scan_ = time;
 }
 
-void Troubles::update(double time, double explained) {
-  lost_ = explained < options_.lost_below;
+void Troubles::update(double time, double explained, bool possible) {
+  lost_ = loses(explained) || !possible;
   lost_stretches_.tell(time, lost_);
+  interruption_.reset();
+}
+
+Stretches Troubles::lost_for_good() const {
+  const auto was_found = [&](double time) {
+    return std::any_of(found_again_.begin(), found_again_.end(), [&](const FoundAgain& found) {
+      return found.since <= time && time <= found.time;
+    });
+  };
+  return lost_stretches_.without(was_found);
 }
 
 std::vector<std::string> Troubles::remarks() const {
@@ -79,10 +100,15 @@ std::vector<std::string> Troubles::remarks() const {
        fmt::format(" (by up to {:.1f} m): taken as standing still", largest_jump_));
   tell(pauses_, "no scan", "");
   tell(blind_, "the laser sees nothing", ": odometry alone says where the robot is");
-  tell(lost_stretches_, "lost",
-       fmt::format(": the map explains less than {:g} % of the scans; where what was mapped before "
-                   "and after lies to each other is not known",
-                   100.0 * options_.lost_below));
+  for (const FoundAgain& found : found_again_) {
+    result.push_back(
+        fmt::format("lost at {:.1f} s, found again at {:.1f} s after the start, by its "
+                    "map of before",
+                    found.since - start_, found.time - start_));
+  }
+  tell(lost_for_good(), "lost",
+       ": the map explains too little of the scans; where what was mapped before and after lies to "
+       "each other is not known");
   return result;
 }
 

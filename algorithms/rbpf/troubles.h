@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,7 @@ class Stretches {
     int scans = 0;
   };
   const std::vector<Stretch>& all() const { return all_; }
+  Stretches without(const std::function<bool(double)>& left_out) const;  // by where they begin
 
  private:
   std::vector<Stretch> all_;
@@ -57,19 +59,35 @@ class Troubles {
   Odometry without_jumps(const Odometry& odometry);
   // `step` by odometry since the scan before, if there is any.
   void scan(double time, const std::optional<Pose2>& step, bool sees_anything);
-  void update(double time, double explained);  // by the best particle's map, of a scan that sees
+  // Of a scan that sees: how much of it the best particle's map explains, and whether the robot may
+  // be there by its map of before an interruption.
+  void update(double time, double explained, bool possible = true);
+  bool loses(double explained) const { return explained < options_.lost_below; }
+
+  // [s] of something after which the robot may be anywhere, since the last update: a jump of
+  // odometry, or a pause or a laser that saw nothing without odometry to bridge it.
+  std::optional<double> interruption() const { return interruption_; }
+  // Where the map of before `since` shows the robot at `time`.
+  void found_again(double since, double time) { found_again_.push_back({since, time}); }
 
   bool lost() const { return lost_; }
   std::vector<std::string> remarks() const;  // times from the first measurement on
 
  private:
+  Stretches lost_for_good() const;  // the robot was not found again
+
   TroubleOptions options_;
   double start_ = 0.0;
   bool started_ = false;
-  std::optional<Odometry> last_;     // as it came
-  Pose2 passed_;                     // as it was passed on
-  std::optional<double> last_scan_;  // [s] of the newest one
+  std::optional<Odometry> last_;        // as it came
+  Pose2 passed_;                        // as it was passed on
+  std::optional<double> last_scan_;     // [s] of the newest one
+  std::optional<double> interruption_;  // [s]
   bool lost_ = false;
+  struct FoundAgain {
+    double since = 0.0, time = 0.0;  // [s]
+  };
+  std::vector<FoundAgain> found_again_;
   Stretches no_odometry_, blind_, jumps_, pauses_, lost_stretches_;
   double largest_jump_ = 0.0;  // [m]
 };

@@ -12,9 +12,6 @@
 namespace mapbed {
 namespace {
 
-constexpr int kMaxLevels = 8;     // blocks of up to 128 x 128 shifts
-constexpr int kBlocksAcross = 5;  // of the coarsest level, about
-
 // The lattice that is searched: turns about the prediction, then shifts by whole cells.
 struct Lattice {
   int shifts = 0;  // -shifts … shifts [cells]
@@ -87,19 +84,21 @@ class CorrelativeSearch {
  public:
   CorrelativeSearch(const FieldPoints& points, const LikelihoodField& map,
                     const BoundPyramid& pyramid, const PosePrior& prediction,
-                    const Lattice& lattice)
+                    const Lattice& lattice, const SearchLimits& limits)
       : points_(points),
         map_(map),
         pyramid_(pyramid),
         prediction_(prediction),
         prior_bound_(prediction),
         lattice_(lattice),
-        floor_(double{map.floor()} * static_cast<double>(points.size())) {
+        limits_(limits),
+        floor_(double{map.floor()} * static_cast<double>(points.size())),
+        best_(limits.above) {
     for (int turn = -lattice.turns; turn <= lattice.turns; ++turn) rotate(turn);
   }
 
-  // The best pose of the lattice.
-  Pose2 search() {
+  // The best pose of the lattice within the limits.
+  std::optional<Pose2> search() {
     std::vector<Block> blocks = coarsest_blocks();
     std::sort(blocks.begin(), blocks.end(),
               [](const Block& a, const Block& b) { return a.bound > b.bound; });
@@ -165,7 +164,7 @@ class CorrelativeSearch {
       const Pose2 pose =
           pose_on(lattice_, prediction_.mean, map_.resolution(), block.turn, block.x, block.y);
       const double value = map_.sum_log_at(points_, pose) + prediction_.log_at(pose);
-      if (value <= best_) return;
+      if (value <= best_ || limits_.exclude(pose)) return;
       best_ = value;
       best_pose_ = pose;
       return;
@@ -195,10 +194,11 @@ class CorrelativeSearch {
   const PosePrior& prediction_;
   PriorBound prior_bound_;
   Lattice lattice_;
+  const SearchLimits& limits_;
   double floor_;
   std::vector<std::vector<std::int32_t>> rotated_;  // by turn
-  double best_ = -1e300;
-  Pose2 best_pose_;
+  double best_;
+  std::optional<Pose2> best_pose_;
 };
 
 ScanMatch match_at(const Pose2& pose, const FieldPoints& points, const LikelihoodField& map,
@@ -211,65 +211,32 @@ ScanMatch match_at(const Pose2& pose, const FieldPoints& points, const Likelihoo
   return match;
 }
 
-// The larger of a cell and those `reach` cells right, above and both. The margin keeps rows apart.
-std::vector<std::uint8_t> widened(const std::vector<std::uint8_t>& fine, int width, int reach) {
-  const auto right = static_cast<std::size_t>(reach);
-  const auto above = right * static_cast<std::size_t>(width);
-  std::vector<std::uint8_t> wide = fine;
-  for (std::size_t i = 0; i + right < wide.size(); ++i)
-    wide[i] = std::max(wide[i], wide[i + right]);
-  for (std::size_t i = 0; i + above < wide.size(); ++i)
-    wide[i] = std::max(wide[i], wide[i + above]);
-  return wide;
-}
-
 }  // namespace
 
-BoundPyramid make_bound_pyramid(const LikelihoodField& field, double window) {
-  BoundPyramid pyramid;
-  pyramid.step = -double{field.floor()} / 255.0;
-  pyramid.max_shifts = static_cast<int>(std::ceil(window / field.resolution() - 1e-9));
-  int level_count = 1;
-  while (level_count < kMaxLevels &&
-         2 * pyramid.max_shifts + 1 > kBlocksAcross * (1 << (level_count - 1))) {
-    ++level_count;
-  }
-  // A point is at most max_shifts + 1 outside the box; shifting and widening move it on.
-  const int margin = 2 * (pyramid.max_shifts + 1) + 2 * (1 << level_count);
-  const CellBox box = field.box();
-  pyramid.box = box;
-  if (box.empty()) pyramid.box = CellBox{{0, 0}, {0, 0}};
-  pyramid.min_x = pyramid.box.min.x - margin;
-  pyramid.min_y = pyramid.box.min.y - margin;
-  pyramid.width = pyramid.box.width() + 2 * margin;
-  pyramid.height = pyramid.box.height() + 2 * margin;
+bool SearchLimits::exclude(const Pose2& pose) const {
+  return away_from && mapbed::distance(pose, *away_from) <= distance &&
+         std::abs(angle_difference(pose.theta, away_from->theta)) <= turn;
+}
 
-  std::vector<std::uint8_t> cells(
-      static_cast<std::size_t>(pyramid.width) * static_cast<std::size_t>(pyramid.height), 0);
-  for (int y = box.min.y; y <= box.max.y; ++y) {
-    std::uint8_t* row =
-        cells.data() + std::ptrdiff_t{y - pyramid.min_y} * pyramid.width - pyramid.min_x;
-    for (int x = box.min.x; x <= box.max.x; ++x) {
-      const double above = double{field.highest_in({x, y})} - double{field.floor()};
-      row[x] = static_cast<std::uint8_t>(std::min(255.0, std::ceil(above / pyramid.step - 1e-9)));
-    }
-  }
-  pyramid.levels.push_back(std::move(cells));
-  for (int h = 0; h + 1 < level_count; ++h) {
-    pyramid.levels.push_back(widened(pyramid.levels.back(), pyramid.width, 1 << h));
-  }
-  return pyramid;
+std::optional<ScanMatch> best_match_within(const FieldPoints& points, const LikelihoodField& map,
+                                           const BoundPyramid& pyramid, const PosePrior& prediction,
+                                           const CorrelativeMatcherOptions& options,
+                                           const SearchLimits& limits) {
+  CHECK(options.window >= 0.0 && options.turn_window >= 0.0 && !pyramid.levels.empty());
+  if (points.size() == 0) return {};
+  const Lattice lattice = lattice_of(points, map.resolution(), options);
+  CHECK(lattice.shifts <= pyramid.max_shifts);
+  const std::optional<Pose2> best =
+      CorrelativeSearch(points, map, pyramid, prediction, lattice, limits).search();
+  if (!best) return {};
+  return match_at(*best, points, map, prediction, options.min_explained);
 }
 
 ScanMatch match_correlative(const FieldPoints& points, const LikelihoodField& map,
                             const BoundPyramid& pyramid, const PosePrior& prediction,
                             const CorrelativeMatcherOptions& options) {
-  CHECK(options.window >= 0.0 && options.turn_window >= 0.0 && !pyramid.levels.empty());
-  if (points.size() == 0) return {.map_from_robot = prediction.mean};
-  const Lattice lattice = lattice_of(points, map.resolution(), options);
-  CHECK(lattice.shifts <= pyramid.max_shifts);
-  const Pose2 best = CorrelativeSearch(points, map, pyramid, prediction, lattice).search();
-  return match_at(best, points, map, prediction, options.min_explained);
+  return best_match_within(points, map, pyramid, prediction, options, {})
+      .value_or(ScanMatch{.map_from_robot = prediction.mean});
 }
 
 ScanMatch match_exhaustive(const FieldPoints& points, const LikelihoodField& map,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "algorithms/grid/likelihood_field.h"
@@ -52,6 +53,22 @@ BoundPyramid make_bound_pyramid(const LikelihoodField& field, double window);
 ScanMatch match_correlative(const FieldPoints& points, const LikelihoodField& map,
                             const BoundPyramid& pyramid, const PosePrior& prediction,
                             const CorrelativeMatcherOptions& options = {});
+
+// Which poses a search may answer with.
+struct SearchLimits {
+  double above = -1e300;           // of a larger log-posterior than this only
+  std::optional<Pose2> away_from;  // only farther from this pose than
+  double distance = 0.0;           // [m] or
+  double turn = 0.0;               // [rad]
+
+  bool exclude(const Pose2& pose) const;  // too near to `away_from`
+};
+
+// The same within limits; none where no pose of the lattice is. The higher `above`, the faster.
+std::optional<ScanMatch> best_match_within(const FieldPoints& points, const LikelihoodField& map,
+                                           const BoundPyramid& pyramid, const PosePrior& prediction,
+                                           const CorrelativeMatcherOptions& options,
+                                           const SearchLimits& limits);
 
 // The plain version: every pose of the lattice. For tests.
 ScanMatch match_exhaustive(const FieldPoints& points, const LikelihoodField& map,

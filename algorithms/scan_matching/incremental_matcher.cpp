@@ -74,7 +74,7 @@ PosePrior IncrementalMatcher::prediction(double time) const {
 
 ScanMatch IncrementalMatcher::aligned(const std::vector<Eigen::Vector2d>& points,
                                       const PosePrior& prior, bool blind) {
-  if (points.size() < kMinPoints) return {.map_from_robot = prior.mean};
+  if (points.size() < kMinPoints || kept_poses_.empty()) return {.map_from_robot = prior.mean};
   if (options_.alignment == Alignment::icp) {
     if (!icp_map_) icp_map_.emplace(means_.means());
     return match_icp(points, *icp_map_, prior, options_.icp);
@@ -129,12 +129,20 @@ void IncrementalMatcher::remember(const LaserScan& scan) {
                   map_from_robot_));
 
   means_.add(kept_points_.back());
-  const std::size_t oldest = select_local_scans(kept_poses_, options_.local_map).back();
-  for (std::size_t i = 0; i < oldest; ++i) {
+  forget_oldest(select_local_scans(kept_poses_, options_.local_map).back());
+}
+
+void IncrementalMatcher::forget_past(bool keep_newest) {
+  const std::size_t kept = keep_newest ? 1 : 0;
+  if (kept_poses_.size() > kept) forget_oldest(kept_poses_.size() - kept);
+}
+
+void IncrementalMatcher::forget_oldest(std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
     means_.remove(kept_points_.front());
     kept_points_.pop_front();
   }
-  kept_poses_.erase(kept_poses_.begin(), kept_poses_.begin() + static_cast<std::ptrdiff_t>(oldest));
+  kept_poses_.erase(kept_poses_.begin(), kept_poses_.begin() + static_cast<std::ptrdiff_t>(count));
   field_.update(means_, means_.take_changed());
   pyramid_.reset();
   icp_map_.reset();

@@ -71,6 +71,10 @@ class IncrementalMatcher : public Estimator {
   // Where a scan would be put; it is not remembered.
   ScanMatch match(const LaserScan& scan);
 
+  // Goes on without the local map, but for its newest scan where that is kept: as after scans that
+  // do not fit what was seen before.
+  void forget_past(bool keep_newest);
+
   // Of the newest scan; its pose is pose().
   const ScanMatch& last_match() const { return last_match_; }
 
@@ -85,6 +89,7 @@ class IncrementalMatcher : public Estimator {
   PosePrior prediction(double time) const;
   ScanMatch aligned(const std::vector<Eigen::Vector2d>& points, const PosePrior& prior, bool blind);
   void remember(const LaserScan& scan);
+  void forget_oldest(std::size_t count);
   ScanMatch recovered(const FieldPoints& points, const ScanMatch& match) const;
   const BoundPyramid& pyramid();
 

@@ -39,7 +39,7 @@ struct ScanMatch {
   double log_likelihood = 0.0;  // of the points alone
   double explained = 0.0;  // 1: all points lie on the map, 0: none does; by mean log-likelihood
   int points_used = 0;
-  bool trustworthy = false;  // false: the caller should keep the prediction
+  bool trustworthy = false;         // false: the caller should keep the prediction
   bool refutes_prediction = false;  // found without regard to it, as nothing near it fitted
 };
 

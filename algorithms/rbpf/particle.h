@@ -1,0 +1,17 @@
+#pragma once
+
+#include <memory>
+
+#include "algorithms/rbpf/history.h"
+#include "algorithms/rbpf/surface_map.h"
+
+namespace mapbed {
+
+struct Particle {
+  Pose2 pose;  // map_from_robot at the last update
+  double log_weight = 0.0;
+  SurfaceMap map;
+  std::shared_ptr<HistoryNode> history;
+};
+
+}  // namespace mapbed

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "algorithms/rbpf/motion_model.h"
+#include "algorithms/rbpf/particle.h"
+#include "algorithms/rbpf/relocalization.h"
+#include "algorithms/rbpf/scan_condenser.h"
+#include "algorithms/rbpf/surface_likelihood.h"
+#include "core/random.h"
+
+namespace mapbed {
+
+// The filter's memory of how it was before a trouble after which the robot may be anywhere: carried
+// away, driven on without scans, lost. Meanwhile the filter goes on as it can. Where the robot is
+// found in the map of before, the particles start again from there, each in its own map of before,
+// and what was seen since the trouble enters at the places that follow, not where it was put
+// meanwhile.
+class Recovery {
+ public:
+  // What the filter knows of all its updates.
+  struct Updates {
+    const std::vector<ScanForWeighting>& scans;
+    const std::vector<ScanCondenser::Update>& poses;
+    std::size_t newest() const { return scans.size() - 1; }
+  };
+
+  // `before` as they were when the last scan before the trouble had entered their maps.
+  Recovery(double since, std::vector<Particle> before, const Updates& updates, double beam_weight,
+           const RelocalizationOptions& options);
+
+  double since() const { return since_; }                    // [s]
+  std::size_t first_update() const { return path_.size(); }  // after the trouble
+  bool gives_up(const Updates& updates) const;
+
+  // Where the robot is with the newest update.
+  PlaceSearch::Answer find(const Updates& updates, const Pose2& here) const;
+
+  // The particles after the newest update, made where the robot was found.
+  std::vector<Particle> restarted(const Pose2& found, const Updates& updates,
+                                  const SurfaceLikelihood& likelihood,
+                                  const MotionModelOptions& motion_errors, const Rng& rng) const;
+
+ private:
+  RelocalizationOptions options_;
+  double since_;
+  std::vector<Particle> before_;
+  std::vector<Pose2> path_;  // of the best of them, by update
+  PlaceSearch search_;       // in its map
+};
+
+}  // namespace mapbed
