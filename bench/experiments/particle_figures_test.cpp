@@ -58,5 +58,16 @@ TEST(ParticleFigures, ShowHowManyAncestorsAreLeft) {
   EXPECT_THAT(files[1].content, HasSubstr("ancestors of the particles at the end,2,2"));
 }
 
+TEST(ParticleFigures, ShowAncestorsWhereTheirNumberChanges) {
+  Hypotheses hypotheses;
+  for (int i = 0; i < 10; ++i) hypotheses.diversity.push_back({0.0 + i, i < 6 ? 1 : 4, 2.0, false});
+  const std::string csv = diversity_figure(hypotheses)[1].content;
+  for (const char* corner : {",0,1,,", ",5,1,,", ",6,4,,", ",9,4,,"}) {
+    EXPECT_THAT(csv, HasSubstr(std::string("ancestors of the particles at the end") + corner));
+  }
+  EXPECT_THAT(csv, ::testing::Not(HasSubstr("at the end,3,1,,")));
+  EXPECT_THAT(csv, HasSubstr("effective number of particles,3,2,,"));
+}
+
 }  // namespace
 }  // namespace mapbed
