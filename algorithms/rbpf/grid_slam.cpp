@@ -95,8 +95,9 @@ bool GridSlam::found_again(const ScanForWeighting& scan,
   troubles_.update(time, explained, place.is_here || place.fits_here);
   if (place.elsewhere) {
     restart_at(*place.elsewhere);
-  } else if (!place.is_here) {
-    condenser_.forget_past_if_unmatched();
+    condenser_.forget_past();
+  } else if (!place.is_here && !condenser_.newest_is_matched()) {
+    condenser_.forget_past();
   }
   const bool over = place.is_here || place.elsewhere ||
                     recovery_->gives_up({weighting_scans_, condenser_.updates()});

@@ -50,10 +50,40 @@ bool Recovery::gives_up(const Updates& updates) const {
   return updates.scans.size() - first_update() >= static_cast<std::size_t>(options_.max_updates);
 }
 
-PlaceSearch::Answer Recovery::find(const Updates& updates, const Pose2& here) const {
+PlaceSearch::Answer Recovery::find(const Updates& updates, const Pose2& here) {
+  PlaceSearch::Answer answer = searched(updates, here);
   const std::size_t newest = updates.newest();
+  const std::optional<Candidate> before = candidate_;
+  candidate_.reset();
+  if (!answer.elsewhere) return answer;
+  candidate_ = {*answer.elsewhere, newest};
+  const bool confirmed =
+      before && before->update + 1 == newest &&
+      search_.is_same_place(
+          *answer.elsewhere,
+          before->map_from_robot * motion_between(updates.poses[newest - 1].seen_from_robot,
+                                                  updates.poses[newest].seen_from_robot));
+  if (!confirmed) answer.elsewhere.reset();
+  return answer;
+}
+
+PlaceSearch::Answer Recovery::searched(const Updates& updates, const Pose2& here) const {
+  const std::size_t newest = updates.newest();
+  const std::vector<Eigen::Vector2d>& newest_hits = updates.scans[newest].hits;
+  const PlaceSearch::Answer alone = search_.find(newest_hits, here);
   const auto count =
       std::min(newest - first_update() + 1, static_cast<std::size_t>(options_.scans));
+  if (alone.is_here || alone.elsewhere || count == 1) return alone;
+  // How several scans lie to each other is known less well where they fitted nowhere, so the newest
+  // one must agree by itself.
+  PlaceSearch::Answer together = search_.find(newest_scans(updates, count), here);
+  if (together.elsewhere) together.elsewhere = search_.matched_at(*together.elsewhere, newest_hits);
+  return together;
+}
+
+std::vector<Eigen::Vector2d> Recovery::newest_scans(const Updates& updates,
+                                                    std::size_t count) const {
+  const std::size_t newest = updates.newest();
   std::vector<Eigen::Vector2d> points;
   for (std::size_t i = newest + 1 - count; i <= newest; ++i) {
     const Pose2 newest_from_robot =
@@ -62,7 +92,7 @@ PlaceSearch::Answer Recovery::find(const Updates& updates, const Pose2& here) co
       points.push_back(newest_from_robot * hit);
     }
   }
-  return search_.find(points, here);
+  return points;
 }
 
 std::vector<Particle> Recovery::restarted(const Pose2& found, const Updates& updates,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "algorithms/rbpf/motion_model.h"
@@ -34,8 +35,9 @@ class Recovery {
   std::size_t first_update() const { return path_.size(); }  // after the trouble
   bool gives_up(const Updates& updates) const;
 
-  // Where the robot is with the newest update.
-  PlaceSearch::Answer find(const Updates& updates, const Pose2& here) const;
+  // Where the robot is with the newest update. Elsewhere only where the search after the update
+  // before led to the same place: what looks alike by chance does so once.
+  PlaceSearch::Answer find(const Updates& updates, const Pose2& here);
 
   // The particles after the newest update, made where the robot was found.
   std::vector<Particle> restarted(const Pose2& found, const Updates& updates,
@@ -43,11 +45,20 @@ class Recovery {
                                   const MotionModelOptions& motion_errors, const Rng& rng) const;
 
  private:
+  PlaceSearch::Answer searched(const Updates& updates, const Pose2& here) const;
+  // In the newest one's robot frame [m].
+  std::vector<Eigen::Vector2d> newest_scans(const Updates& updates, std::size_t count) const;
+
   RelocalizationOptions options_;
   double since_;
   std::vector<Particle> before_;
   std::vector<Pose2> path_;  // of the best of them, by update
   PlaceSearch search_;       // in its map
+  struct Candidate {
+    Pose2 map_from_robot;
+    std::size_t update = 0;
+  };
+  std::optional<Candidate> candidate_;
 };
 
 }  // namespace mapbed

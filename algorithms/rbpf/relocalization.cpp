@@ -54,6 +54,14 @@ bool PlaceSearch::is_same_place(const Pose2& a, const Pose2& b) const {
          std::abs(angle_difference(a.theta, b.theta)) <= options_.rival_turn;
 }
 
+std::optional<Pose2> PlaceSearch::matched_at(const Pose2& place,
+                                             const std::vector<Eigen::Vector2d>& points) const {
+  const ScanMatch match =
+      match_scan_from(place, to_field_points(points, field_.resolution()), field_, {.mean = place});
+  if (match.explained < options_.min_explained) return {};
+  return match.map_from_robot;
+}
+
 PlaceSearch::Answer PlaceSearch::find(const std::vector<Eigen::Vector2d>& points,
                                       const Pose2& here) const {
   if (points.empty()) return {};

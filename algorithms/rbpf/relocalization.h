@@ -65,9 +65,13 @@ class PlaceSearch {
   // elsewhere: it is nowhere on the map, or in one of several places.
   Answer find(const std::vector<Eigen::Vector2d>& points, const Pose2& here) const;
 
- private:
+  // Where points fit best at a place that others found; none where they do not fit there.
+  std::optional<Pose2> matched_at(const Pose2& place,
+                                  const std::vector<Eigen::Vector2d>& points) const;
+
   bool is_same_place(const Pose2& a, const Pose2& b) const;
 
+ private:
   RelocalizationOptions options_;
   double rival_margin_;  // of log-likelihoods
   Pose2 centre_;

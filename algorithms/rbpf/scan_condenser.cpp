@@ -21,8 +21,8 @@ void ScanCondenser::add(const Odometry& odometry) {
   matcher_.add(odometry);
 }
 
-void ScanCondenser::forget_past_if_unmatched() {
-  if (!newest_.matched) matcher_.forget_past(!newest_.withheld);
+void ScanCondenser::forget_past() {
+  matcher_.forget_past(!newest_.withheld);
 }
 
 bool ScanCondenser::is_due(const Pose2& track) const {

@@ -37,9 +37,10 @@ class ScanCondenser {
   void add(const Odometry& odometry);
   Result add(const LaserScan& scan);
 
-  // The newest scan fits nowhere: those after it are matched with it alone, not with what was seen
-  // before, so that at least they lie right to each other.
-  void forget_past_if_unmatched();
+  bool newest_is_matched() const { return newest_.matched; }  // false: it fits nowhere near
+  // Scans to come are matched with the newest one alone, not with what was seen before, so that at
+  // least they lie right to each other.
+  void forget_past();
 
   struct Scan {
     double time = 0.0;
