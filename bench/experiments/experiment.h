@@ -31,6 +31,8 @@ struct RunInput {
   Rng rng{0};
   std::set<std::string> wanted;  // metrics; others need not be worked out
   bool shown = false;            // pictures of this run are wanted too
+  // Which run it is, for them: "raw, people = 5"; empty: seeds alone set the runs apart.
+  std::string label = {};
 };
 
 // Without what comes later than `longest` [s] after the log's start; 0: all of it.

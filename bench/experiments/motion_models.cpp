@@ -165,12 +165,12 @@ Series true_path(std::span<const MotionSample> moves) {
 }
 
 std::vector<ResultFile> figure_of(std::span<const MotionSample> moves, const Clouds& odometry,
-                                  const Clouds& matching) {
+                                  const Clouds& matching, const std::string& label) {
   Plot plot{.title = fmt::format("Where the robot may be after each of {} moves", moves.size()),
-            .subtitle =
-                "those of the median ratio of areas; 150 samples of each, by the models "
-                "learned from the other half of the drive; ellipses: 95 % after the last "
-                "move; beside Figure 5.3",
+            .subtitle = (label.empty() ? "" : label + "; ") +
+                        "those of the median ratio of areas; 150 samples of each, by the models "
+                        "learned from the other half of the drive; ellipses: 95 % after the last "
+                        "move; beside Figure 5.3",
             .x = {"x, the robot looks along it at the start", "m"},
             .y = {"y", "m"},
             .equal_scales = true};
@@ -266,7 +266,7 @@ RunOutcome run(const MotionModelsExperiment& options, const RunInput& whole_inpu
   if (!input.shown) return outcome;
   const auto moves = std::span<const MotionSample>(held_out.odometry)
                          .subspan(typical.first, static_cast<std::size_t>(options.moves));
-  for (ResultFile& file : figure_of(moves, typical.odometry, typical.matching)) {
+  for (ResultFile& file : figure_of(moves, typical.odometry, typical.matching, input.label)) {
     outcome.files.push_back(std::move(file));
   }
   return outcome;

@@ -79,6 +79,10 @@ int particles_of(const Hypotheses& hypotheses) {
   return hypotheses.diversity.empty() ? 1 : hypotheses.diversity.back().distinct_ancestors;
 }
 
+std::string labelled(const std::string& label, const std::string& text) {
+  return label.empty() ? text : label + "; " + text;
+}
+
 std::vector<ResultFile> files_of(const std::string& name, const Plot& plot) {
   return {{"figures/" + name + ".svg", svg_of(plot)}, {"figures/" + name + ".csv", csv_of(plot)}};
 }
@@ -86,7 +90,8 @@ std::vector<ResultFile> files_of(const std::string& name, const Plot& plot) {
 }  // namespace
 
 std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajectory& truth,
-                                    const Pose2& world_from_map, double seconds) {
+                                    const Pose2& world_from_map, double seconds,
+                                    const std::string& label) {
   if (hypotheses.branches.empty()) return {};
   Series particles{.name = "paths of all particles", .mark = Mark::path};
   for (const Trajectory& branch : hypotheses.branches) append(branch, world_from_map, particles);
@@ -103,7 +108,8 @@ std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajecto
   const Plot plot{
       .title =
           fmt::format("What {} particles hold possible after {} s", particles_of(hypotheses), time),
-      .subtitle = "the first seed, not aligned: all start at one pose; beside Figure 5.7",
+      .subtitle =
+          labelled(label, "the first seed, not aligned: all start at one pose; beside Figure 5.7"),
       .x = {"x", "m"},
       .y = {"y", "m"},
       .series = {particles, true_path},
@@ -111,7 +117,7 @@ std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajecto
   return files_of("paths_after_" + time + "_s", plot);
 }
 
-std::vector<ResultFile> diversity_figure(const Hypotheses& hypotheses) {
+std::vector<ResultFile> diversity_figure(const Hypotheses& hypotheses, const std::string& label) {
   if (hypotheses.diversity.empty()) return {};
   Series ancestors{.name = "ancestors of the particles at the end", .mark = Mark::path};
   Series effective{.name = "effective number of particles", .mark = Mark::path};
@@ -132,7 +138,7 @@ std::vector<ResultFile> diversity_figure(const Hypotheses& hypotheses) {
   }
   const Plot plot{
       .title = fmt::format("How many possibilities {} particles hold", particles_of(hypotheses)),
-      .subtitle = "the first seed; before resampling at each update",
+      .subtitle = labelled(label, "the first seed; before resampling at each update"),
       .x = {"time since the start", "s"},
       .y = {.label = "particles", .logarithmic = true},
       .series = {effective, ancestors}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "algorithms/estimator.h"
@@ -8,12 +9,13 @@
 namespace mapbed {
 
 // The paths that a method holds possible at some time of the log, Figure 5.7; in the frame of
-// world_from_map. Empty for methods that hold one only.
+// world_from_map. Empty for methods that hold one only. `label` tells which run it is.
 std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajectory& truth,
-                                    const Pose2& world_from_map, double seconds);
+                                    const Pose2& world_from_map, double seconds,
+                                    const std::string& label);
 
 // How many of the particles of each update have descendants in the end, and how well they were
 // spread. Empty for methods without particles.
-std::vector<ResultFile> diversity_figure(const Hypotheses& hypotheses);
+std::vector<ResultFile> diversity_figure(const Hypotheses& hypotheses, const std::string& label);
 
 }  // namespace mapbed

@@ -21,17 +21,18 @@ Hypotheses two_particles() {
 }
 
 TEST(ParticleFigures, OfAMethodWithoutParticlesAreNone) {
-  EXPECT_TRUE(path_figure({}, {}, {}, 1.0).empty());
-  EXPECT_TRUE(diversity_figure({}).empty());
+  EXPECT_TRUE(path_figure({}, {}, {}, 1.0, "").empty());
+  EXPECT_TRUE(diversity_figure({}, "").empty());
 }
 
 TEST(ParticleFigures, ShowAllPathsInTheWorldUpToNow) {
   const Trajectory truth{{10.0, {5, 5, 0}}, {12.0, {7, 5, 0}}, {99.0, {50, 50, 0}}};
-  const auto files = path_figure(two_particles(), truth, {5.0, 5.0, 0.0}, 2.0);
+  const auto files = path_figure(two_particles(), truth, {5.0, 5.0, 0.0}, 2.0, "few, noise = 2");
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].path, "figures/paths_after_2_s.svg");
   EXPECT_TRUE(is_well_formed(files[0].content));
   EXPECT_THAT(files[0].content, HasSubstr("What 2 particles hold possible after 2 s"));
+  EXPECT_THAT(files[0].content, HasSubstr("few, noise = 2; the first seed"));
   EXPECT_THAT(files[1].content, HasSubstr("7,5.5"));
   EXPECT_THAT(files[1].content, HasSubstr("7,4.5"));
   EXPECT_THAT(files[1].content, ::testing::Not(HasSubstr("50,50")));  // true, but later
@@ -43,7 +44,7 @@ TEST(ParticleFigures, LeaveOutWhatNobodyWouldSee) {
   for (int i = 0; i <= 100; ++i) path.push_back({0.0 + i, {0.1 * i, i % 2 == 0 ? 0.0 : 0.01, 0.0}});
   for (int i = 1; i <= 100; ++i) path.push_back({100.0 + i, {10.0, 0.1 * i, 0.0}});
   along_a_corner.branches = {path};
-  const std::string csv = path_figure(along_a_corner, {}, {}, 200.0)[1].content;
+  const std::string csv = path_figure(along_a_corner, {}, {}, 200.0, "")[1].content;
   EXPECT_THAT(csv, HasSubstr(",0,0,,\n"));
   EXPECT_THAT(csv, HasSubstr(",10,0,,\n"));  // the corner
   EXPECT_THAT(csv, HasSubstr(",10,10,,\n"));
@@ -51,9 +52,10 @@ TEST(ParticleFigures, LeaveOutWhatNobodyWouldSee) {
 }
 
 TEST(ParticleFigures, ShowHowManyAncestorsAreLeft) {
-  const auto files = diversity_figure(two_particles());
+  const auto files = diversity_figure(two_particles(), "few, noise = 2");
   ASSERT_EQ(files.size(), 2U);
   EXPECT_TRUE(is_well_formed(files[0].content));
+  EXPECT_THAT(files[0].content, HasSubstr("few, noise = 2; the first seed"));
   EXPECT_THAT(files[1].content, HasSubstr("effective number of particles,1,1.2"));
   EXPECT_THAT(files[1].content, HasSubstr("ancestors of the particles at the end,2,2"));
 }
@@ -61,7 +63,7 @@ TEST(ParticleFigures, ShowHowManyAncestorsAreLeft) {
 TEST(ParticleFigures, ShowAncestorsWhereTheirNumberChanges) {
   Hypotheses hypotheses;
   for (int i = 0; i < 10; ++i) hypotheses.diversity.push_back({0.0 + i, i < 6 ? 1 : 4, 2.0, false});
-  const std::string csv = diversity_figure(hypotheses)[1].content;
+  const std::string csv = diversity_figure(hypotheses, "")[1].content;
   for (const char* corner : {",0,1,,", ",5,1,,", ",6,4,,", ",9,4,,"}) {
     EXPECT_THAT(csv, HasSubstr(std::string("ancestors of the particles at the end") + corner));
   }

@@ -120,12 +120,13 @@ std::vector<ResultFile> add_log(const SlamOptions& options, const RunInput& inpu
   const Pose2 world_from_map = input.truth.empty() ? Pose2{} : input.truth.front().pose;
   for (const Measurement& measurement : input.log) {
     while (!left.empty() && time_of(measurement) - start > left.back()) {
-      keep(path_figure(estimator.hypotheses(), input.truth, world_from_map, left.back()));
+      keep(path_figure(estimator.hypotheses(), input.truth, world_from_map, left.back(),
+                       input.label));
       left.pop_back();
     }
     estimator.add(measurement);
   }
-  if (input.shown) keep(diversity_figure(estimator.hypotheses()));
+  if (input.shown) keep(diversity_figure(estimator.hypotheses(), input.label));
   return figures;
 }
 

@@ -71,6 +71,19 @@ TEST_F(ReportPage, SaysInWordsWhatAMapIsOf) {
   EXPECT_THAT(page(), HasSubstr("<figcaption>map, rotation sigma 16 deg, filter on</figcaption>"));
 }
 
+TEST_F(ReportPage, ShowsTheScenariosPlotsFirstAndThenSingleRunsAsPeopleSort) {
+  const std::string folder = folder_.file("example");
+  for (const char* name : {"after_130_s", "after_90_s", "success"}) {
+    write_text_file(folder + "/figures/" + name + ".svg", "<svg/>");
+  }
+  write_text_file(folder + "/config.yaml",
+                  "scenario:\n  plots:\n    - {file: success}\n    - {file: error}\n");
+  std::vector<std::string> names;
+  for (const NamedFile& figure : load_result_folder(folder).figures) names.push_back(figure.name);
+  EXPECT_THAT(names, ElementsAre("success.svg", "error.svg", "after_90_s.svg", "after_130_s.svg",
+                                 "heat.svg"));
+}
+
 TEST_F(ReportPage, ComesWithoutTheReplayPlayerWhereThereIsNoReplay) {
   std::filesystem::remove_all(folder_.file("example/replays"));
   EXPECT_THAT(page(), Not(HasSubstr("canvas.getContext")));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "core/config/config_node.h"
 #include "core/input_error.h"
@@ -23,6 +24,26 @@ std::string text_of(const fs::path& path) {
   return fs::exists(path) ? read_text_file(path.string()) : "";
 }
 
+// Sorts as people do: "after_90_s" before "after_130_s".
+std::string sort_key(const std::string& name) {
+  constexpr std::size_t kDigits = 12;
+  std::string key, number;
+  const auto flush = [&] {
+    if (!number.empty()) key.append(kDigits - std::min(kDigits, number.size()), '0').append(number);
+    number.clear();
+  };
+  for (const char c : name) {
+    if (c >= '0' && c <= '9') {
+      number += c;
+      continue;
+    }
+    flush();
+    key += c;
+  }
+  flush();
+  return key;
+}
+
 std::vector<NamedFile> files_of(const fs::path& folder, const std::string& extension) {
   std::vector<NamedFile> files;
   if (!fs::is_directory(folder)) return files;
@@ -31,8 +52,9 @@ std::vector<NamedFile> files_of(const fs::path& folder, const std::string& exten
     files.push_back(
         {entry.path().lexically_relative(folder).string(), read_text_file(entry.path().string())});
   }
-  std::sort(files.begin(), files.end(),
-            [](const NamedFile& a, const NamedFile& b) { return a.name < b.name; });
+  std::sort(files.begin(), files.end(), [](const NamedFile& a, const NamedFile& b) {
+    return std::pair(sort_key(a.name), a.name) < std::pair(sort_key(b.name), b.name);
+  });
   return files;
 }
 
@@ -51,6 +73,21 @@ void read_head(const fs::path& path, ResultFolder& result) {
   result.thesis = text("thesis");
   result.quick = text("quick") == "true";
   if (const ConfigNode* skipped = scenario.find("skipped")) result.skipped = skipped->texts();
+}
+
+// Those of all runs, in the scenario's order, before those of single ones.
+void put_plots_first(const fs::path& config, std::vector<NamedFile>& figures) {
+  const ConfigNode file = load_config(config.string());
+  const ConfigNode* scenario = file.find("scenario");
+  const ConfigNode* plots = scenario == nullptr ? nullptr : scenario->find("plots");
+  if (plots == nullptr) return;
+  std::vector<std::string> order;
+  for (const ConfigNode& plot : plots->items()) order.push_back(plot.at("file").text() + ".svg");
+  const auto place = [&](const NamedFile& figure) {
+    return std::find(order.begin(), order.end(), figure.name) - order.begin();
+  };
+  std::stable_sort(figures.begin(), figures.end(),
+                   [&](const NamedFile& a, const NamedFile& b) { return place(a) < place(b); });
 }
 
 }  // namespace
@@ -99,6 +136,7 @@ ResultFolder load_result_folder(const std::string& folder) {
   result.runs = table_of(base / "runs.csv");
   result.cost = table_of(base / "cost.csv");
   result.figures = files_of(base / "figures", ".svg");
+  put_plots_first(base / "config.yaml", result.figures);
   result.maps = files_of(base / "maps", ".png");
   result.replays = files_of(base / "replays", ".json");
   result.config = text_of(base / "config.yaml");

@@ -18,7 +18,8 @@ struct NamedFile {
   std::string content;
 };
 
-// What stands in results/<id>/, as far as a page shows it. Pictures and replays are sorted by name.
+// What stands in results/<id>/, as far as a page shows it. Pictures and replays are sorted by name,
+// but the scenario's own plots come first, in its order.
 struct ResultFolder {
   std::string folder;
   std::string id;

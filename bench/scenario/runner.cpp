@@ -139,8 +139,20 @@ class Runner {
     if (source != nullptr) input = source->input(planned.settings.source, row.seed);
     input.rng = Rng(row.seed).stream("experiment");
     input.shown = row.seed == plan_.scenario.seed;
+    input.label = label_of(row);
     for (const Metric& metric : plan_.results.metrics) input.wanted.insert(metric.name);
     return plan_.experiment->run(planned.settings.experiment, input);
+  }
+
+  // Its variant and level, as far as there are others.
+  std::string label_of(const RunRow& row) const {
+    const Results& results = plan_.results;
+    std::string label =
+        results.variants.size() > 1 ? results.variants[static_cast<std::size_t>(row.variant)] : "";
+    if (results.levels.size() > 1) {
+      label += (label.empty() ? "" : ", ") + level_text(results, row.level);
+    }
+    return label;
   }
 
   RunResult failed(int run, const std::string& reason) const {
