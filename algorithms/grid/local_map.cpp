@@ -68,6 +68,7 @@ void SurfaceMeans::count(const SurfacePoint& point, int sign) {
   cell.doubled_x += steps(point.doubled.x());
   cell.doubled_y += steps(point.doubled.y());
   cell.count += sign;
+  is_hit_.at(index) = cell.count > 0 ? 1 : 0;
   if (!cell.listed) hit_cells_.push_back(index);
   if (!cell.changed) changed_cells_.push_back(index);
   cell.listed = cell.changed = true;
@@ -93,6 +94,7 @@ void SurfaceMeans::clear() {
     if (!cell.changed) changed_cells_.push_back(index);
     cell = Cell{};
     cell.changed = true;
+    is_hit_.at(index) = 0;
   }
   hit_cells_.clear();
 }
@@ -111,9 +113,8 @@ SurfacePoint SurfaceMeans::mean_of(const Cell& cell) {
 }
 
 std::optional<SurfacePoint> SurfaceMeans::mean_in(CellIndex index) const {
-  const Cell& cell = grid_[index];
-  if (cell.count == 0) return std::nullopt;
-  return mean_of(cell);
+  if (is_hit_[index] == 0) return std::nullopt;
+  return mean_of(grid_[index]);
 }
 
 std::vector<SurfacePoint> SurfaceMeans::means() const {

@@ -64,7 +64,7 @@ std::vector<SurfacePoint> transformed(const std::vector<SurfacePoint>& points_in
 // taken out again and the means do not depend on the order.
 class SurfaceMeans {
  public:
-  explicit SurfaceMeans(double resolution) : grid_(resolution) {}
+  explicit SurfaceMeans(double resolution) : grid_(resolution), is_hit_(resolution) {}
 
   void add(const std::vector<SurfacePoint>& points_in_map);
   void remove(const std::vector<SurfacePoint>& points_in_map);  // that were added before
@@ -88,6 +88,7 @@ class SurfaceMeans {
   static SurfacePoint mean_of(const Cell& cell);
 
   TiledGrid<Cell> grid_;
+  TiledGrid<std::uint8_t> is_hit_;  // of the cells, small enough to be looked through
   std::vector<CellIndex> hit_cells_;
   std::vector<CellIndex> changed_cells_;
 };

@@ -75,7 +75,7 @@ void GridSlam::update(const LaserScan& scan, const UpdateMotion& motion) {
 void GridSlam::start(const ScanForWeighting& scan) {
   const auto root = std::make_shared<HistoryNode>(Pose2{}, 0, nullptr);
   Particle first{.map = SurfaceMap(options_.map_resolution), .history = root};
-  first.map.add(transformed(scan.surface, first.pose));
+  first.map.add(scan.surface, first.pose);
   particles_.assign(static_cast<std::size_t>(options_.particles), first);
   updates_.back().effective_number = static_cast<double>(particles_.size());
 }
@@ -129,7 +129,7 @@ void GridSlam::remember(const ScanForWeighting& scan) {
   const std::size_t number = updates_.size() - 1;
   tbb::parallel_for(std::size_t{0}, particles_.size(), [&](std::size_t i) {
     Particle& particle = particles_[i];
-    particle.map.add(transformed(scan.surface, particle.pose));
+    particle.map.add(scan.surface, particle.pose);
     particle.history = std::make_shared<HistoryNode>(particle.pose, number, particle.history);
   });
 }

@@ -30,7 +30,7 @@ SettledPath settled(std::vector<PathStep> path, const MotionModelOptions& motion
   const SurfaceLikelihood likelihood({.sigma = options.sigma, .proposal_weight = 1.0});
   const auto map_of_all = [&] {
     SurfaceMap map(options.resolution);
-    for (const PathStep& step : path) map.add(transformed(step.scan->surface, step.pose));
+    for (const PathStep& step : path) map.add(step.scan->surface, step.pose);
     return map;
   };
   for (int round = 0; round < options.rounds && path.size() > 1; ++round) {

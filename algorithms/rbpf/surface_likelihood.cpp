@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kMaxGap = 0.2;  // [m] neighbouring hits that are nearer belong to one surface
 constexpr int kIterations = 4;
-constexpr double kConverged = 2e-3;  // [m], [rad] the step after that is far smaller still
+constexpr std::size_t kCoarse = 3;     // the first step is taken by every third hit
+constexpr std::size_t kManyHits = 40;  // of fewer by all
+constexpr double kConverged = 2e-3;    // [m], [rad] the step after that is far smaller still
 constexpr float kAlong = 0.1F;  // of a distance along a mapped line that counts, as in the field
 constexpr float kMinAgreement = 0.5F;  // of the directions that make a line, as in tangent_of
 constexpr int kLevels = 512;
@@ -51,7 +53,7 @@ ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions
                                     double map_resolution) {
   ScanForWeighting result;
   result.hits = hit_points(scan, points);
-  result.surface = surface_points(scan, points.max_range, kMaxGap, 0.5 * map_resolution);
+  result.surface = surface_points(scan, points.max_range, kMaxGap, 0.9 * map_resolution);
   const double end = scan.max_range - options.free_before_end;
   if (scan.max_range > options.no_return_range || end <= 0.0) return result;
   const std::size_t every =
@@ -130,30 +132,31 @@ double SurfaceLikelihood::explained_share(const ScanForWeighting& scan, const Su
 }
 
 SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const std::vector<Eigen::Vector2d>& hits,
-                                                          const SurfaceMap& map,
+                                                          std::size_t every, const SurfaceMap& map,
                                                           const Pose2& map_from_robot) const {
   const double c = std::cos(map_from_robot.theta), s = std::sin(map_from_robot.theta);
   SurfaceMap::Reader reader(map);
-  int found = 0;
-  double sum = 0.0, gx = 0.0, gy = 0.0, gt = 0.0;
-  double xx = 0.0, xy = 0.0, yy = 0.0, xt = 0.0, yt = 0.0, tt = 0.0;
-  for (const Eigen::Vector2d& hit : hits) {
-    const double dx = c * hit.x() - s * hit.y(), dy = s * hit.x() + c * hit.y();
-    const SurfaceMap::Nearest nearest =
-        reader.nearest(map_from_robot.x + dx, map_from_robot.y + dy);
-    if (!nearest.found) continue;
-    ++found;
+  float sum = 0.0F, gx = 0.0F, gy = 0.0F, gt = 0.0F;
+  float xx = 0.0F, xy = 0.0F, yy = 0.0F, xt = 0.0F, yt = 0.0F, tt = 0.0F;
+  for (std::size_t i = 0; i < hits.size(); i += every) {
+    const double x = c * hits[i].x() - s * hits[i].y(), y = s * hits[i].x() + c * hits[i].y();
+    const SurfaceMap::Nearest nearest = reader.nearest(map_from_robot.x + x, map_from_robot.y + y);
+    if (!nearest.found) {
+      sum += static_cast<float>(floor_);
+      continue;
+    }
     const Projection along(nearest);
     const Level level = level_at(squared_distance(nearest, along));
-    sum += double{level.log};
+    sum += level.log;
     // Along its line a point may slide: it pulls across it only.
-    const double nxx = double{level.share * (1.0F - along.half - along.x)};
-    const double nxy = double{-level.share * along.y};
-    const double nyy = double{level.share * (1.0F - along.half + along.x)};
-    const double off_x = double{nearest.off_x}, off_y = double{nearest.off_y};
-    const double pull_x = nxx * off_x + nxy * off_y, pull_y = nxy * off_x + nyy * off_y;
+    const float nxx = level.share * (1.0F - along.half - along.x);
+    const float nxy = -level.share * along.y;
+    const float nyy = level.share * (1.0F - along.half + along.x);
+    const float pull_x = nxx * nearest.off_x + nxy * nearest.off_y;
+    const float pull_y = nxy * nearest.off_x + nyy * nearest.off_y;
     // A turn moves the point by (-dy, dx).
-    const double mx = dx * nxy - dy * nxx, my = dx * nyy - dy * nxy;
+    const auto dx = static_cast<float>(x), dy = static_cast<float>(y);
+    const float mx = dx * nxy - dy * nxx, my = dx * nyy - dy * nxy;
     gx -= pull_x;
     gy -= pull_y;
     gt -= dx * pull_y - dy * pull_x;
@@ -165,10 +168,13 @@ SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const std::vector<Eige
     tt += dx * my - dy * mx;
   }
   Slope slope;
-  slope.sum = sum + floor_ * (static_cast<double>(hits.size()) - found);
-  const double weight = 1.0 / (options_.sigma * options_.sigma);
-  slope.gradient = weight * Eigen::Vector3d(gx, gy, gt);
-  slope.information << xx, xy, xt, xy, yy, yt, xt, yt, tt;
+  const auto times = static_cast<double>(every);
+  slope.sum = times * double{sum};
+  const double weight = times / (options_.sigma * options_.sigma);
+  slope.gradient = weight * Eigen::Vector3d(double{gx}, double{gy}, double{gt});
+  slope.information << double{xx}, double{xy}, double{xt},  //
+      double{xy}, double{yy}, double{yt},                   //
+      double{xt}, double{yt}, double{tt};
   slope.information *= weight;
   return slope;
 }
@@ -181,7 +187,8 @@ LocalPosterior SurfaceLikelihood::local_posterior(const Pose2& start, const Scan
   double sum = 0.0;  // of the hits at the mode
   bool converged = false;
   for (int i = 0; i < kIterations && !converged; ++i) {
-    const Slope slope = slope_of_hits(scan.hits, map, result.mode);
+    const bool coarse = i == 0 && scan.hits.size() >= kManyHits;
+    const Slope slope = slope_of_hits(scan.hits, coarse ? kCoarse : 1, map, result.mode);
     Eigen::Matrix3d map_from_mode = Eigen::Matrix3d::Identity();  // of small steps
     const double c = std::cos(result.mode.theta), s = std::sin(result.mode.theta);
     map_from_mode.topLeftCorner<2, 2>() << c, -s, s, c;
@@ -195,7 +202,7 @@ LocalPosterior SurfaceLikelihood::local_posterior(const Pose2& start, const Scan
                                  prior.information * Eigen::Vector3d(off.x, off.y, off.theta));
     result.mode = result.mode * Pose2{step.x(), step.y(), normalized_angle(step.z())};
     sum = slope.sum + step.dot(pull) - 0.5 * step.dot(of_scan * step);
-    converged = step.cwiseAbs().maxCoeff() < kConverged;
+    converged = !coarse && step.cwiseAbs().maxCoeff() < kConverged;
   }
   if (!converged) sum = sum_of_hits(scan.hits, map, result.mode);
   result.covariance = information.inverse();

@@ -86,8 +86,9 @@ class SurfaceLikelihood {
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   };
-  Slope slope_of_hits(const std::vector<Eigen::Vector2d>& hits, const SurfaceMap& map,
-                      const Pose2& map_from_robot) const;
+  // By every so many hits, each for as many.
+  Slope slope_of_hits(const std::vector<Eigen::Vector2d>& hits, std::size_t every,
+                      const SurfaceMap& map, const Pose2& map_from_robot) const;
   double sum_of_hits(const std::vector<Eigen::Vector2d>& hits, const SurfaceMap& map,
                      const Pose2& map_from_robot) const;
   double sum_of_free(const std::vector<Eigen::Vector2d>& free, const SurfaceMap& map,

@@ -25,7 +25,7 @@ ScanForWeighting seen_from(const TestRoom& room, const Pose2& pose) {
 SurfaceMap map_of(const TestRoom& room) {
   SurfaceMap map(kResolution);
   for (const Pose2 pose : {Pose2{0, 0, 0}, Pose2{0.1, 0, kPi}}) {
-    map.add(transformed(seen_from(room, pose).surface, pose));
+    map.add(seen_from(room, pose).surface, pose);
   }
   return map;
 }
@@ -65,7 +65,7 @@ TEST(SurfaceLikelihood, IsThePlainSumOverThePoints) {
 
 TEST(SurfaceLikelihood, WhatAMissingReturnPassedThroughMustBeFree) {
   SurfaceMap map(kResolution);
-  map.add({{{7.85, 0.0}}});
+  map.add({{{7.85, 0.0}}}, Pose2{});
   const SurfaceLikelihoodOptions options{.beam_weight = 1.0};
   LaserScan scan{.first_bearing = 0.0, .bearing_step = 0.1, .max_range = 8.0};
   scan.ranges = {8.0};

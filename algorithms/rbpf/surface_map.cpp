@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <unordered_set>
@@ -65,34 +66,60 @@ SurfaceMap::Tile& SurfaceMap::tile_for_writing(int tile_x, int tile_y) {
                                                   (tile_x & (kBlockSide - 1)))]);
 }
 
-void SurfaceMap::add(const std::vector<SurfacePoint>& points_in_map) {
+inline void SurfaceMap::Cell::count_in(float new_x, float new_y, float new_doubled_x,
+                                       float new_doubled_y) {
+  if (count < std::numeric_limits<std::uint16_t>::max()) ++count;
+  const float share = 1.0F / static_cast<float>(count);
+  constexpr float kAboveZero = 65536.0F;  // where cutting off the rest rounds down
+  const auto towards = [share](auto& mean, float value) {
+    const auto old = static_cast<float>(mean);
+    const float moved = old + (value - old) * share;
+    mean = static_cast<std::remove_reference_t<decltype(mean)>>(
+        static_cast<int>(moved + (kAboveZero + 0.5F)) - static_cast<int>(kAboveZero));
+  };
+  towards(x, std::min(kPlaceScale * new_x, 65535.0F));
+  towards(y, std::min(kPlaceScale * new_y, 65535.0F));
+  towards(doubled_x, kLineScale * new_doubled_x);
+  towards(doubled_y, kLineScale * new_doubled_y);
+}
+
+inline SurfaceMap::Cell& SurfaceMap::Tile::cell_for_writing(int x, int y) {
+  const std::size_t place = place_of(x, y);
+  std::uint32_t& row = hits[static_cast<std::size_t>(y)];
+  if ((row >> x & 1U) == 0) {
+    row |= 1U << x;
+    for (int after = y + 1; after < kTileSide; ++after) ++before[static_cast<std::size_t>(after)];
+    cells.insert(cells.begin() + static_cast<std::ptrdiff_t>(place), Cell{});
+  }
+  return cells[place];
+}
+
+void SurfaceMap::add(const std::vector<SurfacePoint>& points_in_robot,
+                     const Pose2& map_from_robot) {
   const double cells_per_meter = 1.0 / resolution_;
+  const double c = cells_per_meter * std::cos(map_from_robot.theta);
+  const double s = cells_per_meter * std::sin(map_from_robot.theta);
+  const double start_x = cells_per_meter * map_from_robot.x;
+  const double start_y = cells_per_meter * map_from_robot.y;
+  const auto c2 = static_cast<float>(std::cos(2.0 * map_from_robot.theta));
+  const auto s2 = static_cast<float>(std::sin(2.0 * map_from_robot.theta));
   Tile* tile = nullptr;
   int tile_x = 0, tile_y = 0;
-  for (const SurfacePoint& point : points_in_map) {
-    const double x = point.position.x() * cells_per_meter;
-    const double y = point.position.y() * cells_per_meter;
+  for (const SurfacePoint& point : points_in_robot) {
+    const double x = start_x + c * point.position.x() - s * point.position.y();
+    const double y = start_y + s * point.position.x() + c * point.position.y();
     const int cell_x = floor_of(x), cell_y = floor_of(y);
     if (tile == nullptr || cell_x >> kTileBits != tile_x || cell_y >> kTileBits != tile_y) {
       tile_x = cell_x >> kTileBits;
       tile_y = cell_y >> kTileBits;
       tile = &tile_for_writing(tile_x, tile_y);
     }
-    const int in_x = cell_x & (kTileSide - 1), in_y = cell_y & (kTileSide - 1);
-    tile->hits[static_cast<std::size_t>(in_y)] |= static_cast<std::uint16_t>(1U << in_x);
-    Cell& cell = tile->cells[static_cast<std::size_t>((in_y << kTileBits) | in_x)];
-    if (cell.count < std::numeric_limits<std::uint16_t>::max()) ++cell.count;
-    const float share = 1.0F / static_cast<float>(cell.count);
-    const auto towards = [share](auto& mean, double value, float scale) {
-      const auto old = static_cast<float>(mean);
-      const float moved = old + (static_cast<float>(value) * scale - old) * share;
-      mean = static_cast<std::remove_reference_t<decltype(mean)>>(moved +
-                                                                  (moved < 0.0F ? -0.5F : 0.5F));
-    };
-    towards(cell.x, x - cell_x, kPlaceScale);
-    towards(cell.y, y - cell_y, kPlaceScale);
-    towards(cell.doubled_x, point.doubled.x(), kLineScale);
-    towards(cell.doubled_y, point.doubled.y(), kLineScale);
+    const auto d_x = static_cast<float>(point.doubled.x());
+    const auto d_y = static_cast<float>(point.doubled.y());
+    tile->cell_for_writing(cell_x & (kTileSide - 1), cell_y & (kTileSide - 1))
+        .count_in(static_cast<float>(x - (tile_x << kTileBits)),
+                  static_cast<float>(y - (tile_y << kTileBits)), c2 * d_x - s2 * d_y,
+                  s2 * d_x + c2 * d_y);
   }
 }
 
@@ -100,28 +127,22 @@ SurfaceMap::Nearest SurfaceMap::nearest(const Eigen::Vector2d& point_in_map) con
   return Reader(*this).nearest(point_in_map.x(), point_in_map.y());
 }
 
-SurfaceMap::Reader::Candidate SurfaceMap::Reader::across_tiles(int cell_x, int cell_y, float x,
-                                                               float y) const {
+SurfaceMap::Reader::Candidate SurfaceMap::Reader::across_tiles(int cell_x, int cell_y, double x,
+                                                               double y) const {
   Candidate best;
   for (int tile_y = (cell_y - 1) >> kTileBits; tile_y <= (cell_y + 1) >> kTileBits; ++tile_y) {
     for (int tile_x = (cell_x - 1) >> kTileBits; tile_x <= (cell_x + 1) >> kTileBits; ++tile_x) {
       const Tile* tile = map_.tile_at(tile_x, tile_y);
       if (tile == nullptr) continue;
-      const int first_y = std::max(cell_y - 1, tile_y << kTileBits);
-      const int last_y = std::min(cell_y + 1, (tile_y << kTileBits) + kTileSide - 1);
-      const int first_x = std::max(cell_x - 1, tile_x << kTileBits);
-      const int last_x = std::min(cell_x + 1, (tile_x << kTileBits) + kTileSide - 1);
-      for (int at_y = first_y; at_y <= last_y; ++at_y) {
-        const int in_y = at_y & (kTileSide - 1);
-        const unsigned hits = tile->hits[static_cast<std::size_t>(in_y)];
-        if (hits == 0) continue;
-        for (int at_x = first_x; at_x <= last_x; ++at_x) {
-          const int in_x = at_x & (kTileSide - 1);
-          if ((hits >> in_x & 1U) == 0) continue;
-          compare(tile->cells[static_cast<std::size_t>((in_y << kTileBits) | in_x)],
-                  x - static_cast<float>(at_x - cell_x), y - static_cast<float>(at_y - cell_y),
-                  best);
-        }
+      const int corner_x = tile_x << kTileBits, corner_y = tile_y << kTileBits;
+      const int first_x = std::max(cell_x - 1 - corner_x, 0);
+      const int last_x = std::min(cell_x + 1 - corner_x, kTileSide - 1);
+      const int first_y = std::max(cell_y - 1 - corner_y, 0);
+      const int last_y = std::min(cell_y + 1 - corner_y, kTileSide - 1);
+      const auto from_x = static_cast<float>(x - corner_x);
+      const auto from_y = static_cast<float>(y - corner_y);
+      for (int row = first_y; row <= last_y; ++row) {
+        compare(*tile, row, first_x, last_x - first_x + 1, from_x, from_y, best);
       }
     }
   }
@@ -137,7 +158,8 @@ std::size_t SurfaceMap::distinct_bytes(const std::vector<const SurfaceMap*>& map
       if (block == nullptr || !counted.insert(block.get()).second) continue;
       sum += sizeof(Block);
       for (const auto& tile : block->tiles) {
-        if (tile != nullptr && counted.insert(tile.get()).second) sum += sizeof(Tile);
+        if (tile == nullptr || !counted.insert(tile.get()).second) continue;
+        sum += sizeof(Tile) + tile->cells.capacity() * sizeof(Cell);
       }
     }
   }

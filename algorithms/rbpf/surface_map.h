@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "algorithms/grid/local_map.h"
+#include "core/geometry/pose2.h"
 
 namespace mapbed {
 
@@ -22,7 +23,7 @@ class SurfaceMap {
 
   double resolution() const { return resolution_; }  // [m]
 
-  void add(const std::vector<SurfacePoint>& points_in_map);
+  void add(const std::vector<SurfacePoint>& points_in_robot, const Pose2& map_from_robot);
 
   // The mapped surface nearest to a point, among its cell and the eight about it.
   struct Nearest {
@@ -39,20 +40,43 @@ class SurfaceMap {
   static std::size_t distinct_bytes(const std::vector<const SurfaceMap*>& maps);
 
  private:
-  static constexpr int kTileBits = 4, kTileSide = 1 << kTileBits;     // cells
+  static constexpr int kTileBits = 5, kTileSide = 1 << kTileBits;     // cells
   static constexpr int kBlockBits = 3, kBlockSide = 1 << kBlockBits;  // tiles
 
   // Small, as every particle reads and copies many of them.
-  static constexpr float kPlaceScale = 65535.0F, kLineScale = 32767.0F;
+  // Scales are powers of two: they divide without dividing.
+  static constexpr float kPlaceScale = 2048.0F;  // a tile is 2^16 wide
+  static constexpr float kLineScale = 16384.0F;
   struct Cell {
-    std::uint16_t x = 0, y = 0;  // mean of the end points from the corner [cells / kPlaceScale]
-    std::int16_t doubled_x = 0, doubled_y = 0;  // mean of their lines' directions [1 / kLineScale]
+    std::uint16_t x = 0, y = 0;  // mean of the end points, from the tile's corner [cells / scale]
+    std::int16_t doubled_x = 0, doubled_y = 0;  // mean of their lines' directions [1 / scale]
     std::uint16_t count = 0;                    // stays at its largest value
+
+    void count_in(float new_x, float new_y, float new_doubled_x, float new_doubled_y);
   };
+  // Only the cells that were hit: a wall passes through few of a tile, and what bounds the speed of
+  // the filter is how much memory its particles read.
   struct Tile {
-    std::array<std::uint16_t, kTileSide> hits{};  // bit x of row y: the cell was hit
-    std::array<Cell, std::size_t{kTileSide} * kTileSide> cells{};
+    std::array<std::uint32_t, kTileSide> hits{};    // bit x of row y: the cell was hit
+    std::array<std::uint16_t, kTileSide> before{};  // cells that were hit in the rows before
+    std::vector<Cell> cells;                        // row by row
+
+    // Where the cell is, or would be.
+    std::size_t place_of(int x, int y) const {
+      const auto row = static_cast<std::size_t>(y);
+      return std::size_t{before[row]} + bits_in(hits[row] & ((1U << x) - 1U));
+    }
+    Cell& cell_for_writing(int x, int y);  // valid until the next one
   };
+  static_assert(kTileSide == 32, "as wide as a row's bits");
+
+  static unsigned bits_in(unsigned row) {  // std::popcount is a call where SSE4 may be missing
+    row -= row >> 1 & 0x55555555U;
+    row = (row & 0x33333333U) + (row >> 2 & 0x33333333U);
+    row = (row + (row >> 4)) & 0x0f0f0f0fU;
+    return row * 0x01010101U >> 24;
+  }
+
   struct Block {
     std::array<std::shared_ptr<Tile>, std::size_t{kBlockSide} * kBlockSide> tiles{};
   };

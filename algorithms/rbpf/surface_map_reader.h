@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -25,12 +24,21 @@ class SurfaceMap::Reader {
     const Cell* cell = nullptr;
     float squared = 1e9F, x = 0.0F, y = 0.0F;  // [cells] from the mapped point to the point
   };
-  // With a cell that was hit; (x, y) is the point from the cell's corner [cells].
-  static void compare(const Cell& cell, float x, float y, Candidate& best) {
-    const float off_x = x - static_cast<float>(cell.x) / kPlaceScale;
-    const float off_y = y - static_cast<float>(cell.y) / kPlaceScale;
-    const float squared = off_x * off_x + off_y * off_y;
-    if (squared < best.squared) best = {&cell, squared, off_x, off_y};
+  // With the hit ones of up to three cells of a row; (x, y) is the point from the tile's corner
+  // [cells]. What is hit varies from point to point: the fewer branches the better.
+  static void compare(const Tile& tile, int row, int first_x, int cells, float x, float y,
+                      Candidate& best) {
+    const unsigned hits =
+        tile.hits[static_cast<std::size_t>(row)] >> first_x & ((1U << cells) - 1U);
+    if (hits == 0) return;
+    const Cell* cell = tile.cells.data() + tile.place_of(first_x, row);
+    constexpr unsigned kBitsInThree = 0xe994U;  // two bits for each number up to 7
+    for (const Cell* end = cell + (kBitsInThree >> 2 * hits & 3U); cell != end; ++cell) {
+      const float off_x = x - static_cast<float>(cell->x) / kPlaceScale;
+      const float off_y = y - static_cast<float>(cell->y) / kPlaceScale;
+      const float squared = off_x * off_x + off_y * off_y;
+      if (squared < best.squared) best = {cell, squared, off_x, off_y};
+    }
   }
   const Tile* tile(int tile_x, int tile_y) {
     if (tile_x != tile_x_ || tile_y != tile_y_) {
@@ -41,7 +49,7 @@ class SurfaceMap::Reader {
     return tile_;
   }
   // Where the nine cells lie in several tiles.
-  Candidate across_tiles(int cell_x, int cell_y, float x, float y) const;
+  Candidate across_tiles(int cell_x, int cell_y, double x, double y) const;
 
   const SurfaceMap& map_;
   double cells_per_meter_;
@@ -53,28 +61,19 @@ class SurfaceMap::Reader {
 inline SurfaceMap::Nearest SurfaceMap::Reader::nearest(double x, double y) {
   const double in_cells_x = x * cells_per_meter_, in_cells_y = y * cells_per_meter_;
   const int cell_x = floor_of(in_cells_x), cell_y = floor_of(in_cells_y);
-  const auto from_x = static_cast<float>(in_cells_x - cell_x);
-  const auto from_y = static_cast<float>(in_cells_y - cell_y);
   const int in_x = cell_x & (kTileSide - 1), in_y = cell_y & (kTileSide - 1);
   const bool within = in_x > 0 && in_x < kTileSide - 1 && in_y > 0 && in_y < kTileSide - 1;
   Candidate best;
   if (within) {
     const Tile* tile = this->tile(cell_x >> kTileBits, cell_y >> kTileBits);
     if (tile == nullptr) return {};
-    const auto row = [&](int dy) {
-      return (static_cast<unsigned>(tile->hits[static_cast<std::size_t>(in_y + dy)]) >>
-              (in_x - 1)) &
-             7U;
-    };
-    // Bit 3 (dy + 1) + dx + 1 for each of the nine cells.
-    for (unsigned hit = row(-1) | row(0) << 3U | row(1) << 6U; hit != 0; hit &= hit - 1) {
-      const int bit = std::countr_zero(hit);
-      const int dy = (bit * 11 >> 5) - 1, dx = bit - 3 * dy - 4;
-      compare(tile->cells[static_cast<std::size_t>(((in_y + dy) << kTileBits) | (in_x + dx))],
-              from_x - static_cast<float>(dx), from_y - static_cast<float>(dy), best);
+    const auto from_x = static_cast<float>(in_cells_x - (cell_x - in_x));
+    const auto from_y = static_cast<float>(in_cells_y - (cell_y - in_y));
+    for (int row = in_y - 1; row <= in_y + 1; ++row) {
+      compare(*tile, row, in_x - 1, 3, from_x, from_y, best);
     }
   } else {
-    best = across_tiles(cell_x, cell_y, from_x, from_y);
+    best = across_tiles(cell_x, cell_y, in_cells_x, in_cells_y);
   }
   if (best.cell == nullptr) return {};
   return {.found = true,

@@ -29,7 +29,7 @@ struct Place {
       poses.push_back(*pose_at(log.true_poses, scan->time));
       scans.push_back(
           scan_for_weighting(*scan, options.points, options.likelihood, options.map_resolution));
-      map.add(transformed(scans.back().surface, poses.back()));
+      map.add(scans.back().surface, poses.back());
     }
   }
 };
@@ -65,20 +65,18 @@ BENCHMARK(BM_LocalPosterior);
 // The items are points.
 void BM_SurfaceMapAdd(benchmark::State& state) {
   SurfaceMap map = place().map;
-  const std::vector<SurfacePoint> points =
-      transformed(place().scans[100].surface, place().poses[100]);
-  for (auto _ : state) map.add(points);
+  const std::vector<SurfacePoint>& points = place().scans[100].surface;
+  for (auto _ : state) map.add(points, place().poses[100]);
   state.SetItemsProcessed(state.iterations() * static_cast<long>(points.size()));
 }
 BENCHMARK(BM_SurfaceMapAdd);
 
 // What a resampled particle costs: its share of the map, and the tiles it then writes to.
 void BM_SurfaceMapCopyAndAdd(benchmark::State& state) {
-  const std::vector<SurfacePoint> points =
-      transformed(place().scans[100].surface, place().poses[100]);
+  const std::vector<SurfacePoint>& points = place().scans[100].surface;
   for (auto _ : state) {
     SurfaceMap copy = place().map;
-    copy.add(points);
+    copy.add(points, place().poses[100]);
     benchmark::DoNotOptimize(copy);
   }
 }
