@@ -53,12 +53,14 @@ void GridSlam::update(const LaserScan& scan, const UpdateMotion& motion) {
   const ScanForWeighting& prepared_scan = weighting_scans_.back();
   const std::size_t number = updates_.size() - 1;
   if (particles_.empty()) {
-    start(prepared_scan);
+    start();
     return;
   }
   const std::vector<double> weights_before = log_weights();
+  const ScanForWeighting& scan_before = weighting_scans_[number - 1];
   tbb::parallel_for(std::size_t{0}, particles_.size(), [&](std::size_t i) {
     Rng own = rng_.stream("particle", i, number);
+    particles_[i].map.add(scan_before.surface, particles_[i].history->pose);
     move_and_weight(particles_[i], prepared_scan, motion, own);
   });
   const bool sees = prepared_scan.hits.size() >= kMinHits;
@@ -68,14 +70,16 @@ void GridSlam::update(const LaserScan& scan, const UpdateMotion& motion) {
   } else {
     resample_where_needed();
   }
-  remember(prepared_scan);
+  const auto remember = [number](Particle& particle) {
+    particle.history = std::make_shared<HistoryNode>(particle.pose, number, particle.history);
+  };
+  std::for_each(particles_.begin(), particles_.end(), remember);
 }
 
 // All particles with the first scan, at the origin.
-void GridSlam::start(const ScanForWeighting& scan) {
+void GridSlam::start() {
   const auto root = std::make_shared<HistoryNode>(Pose2{}, 0, nullptr);
-  Particle first{.map = SurfaceMap(options_.map_resolution), .history = root};
-  first.map.add(scan.surface, first.pose);
+  const Particle first{.map = SurfaceMap(options_.map_resolution), .history = root};
   particles_.assign(static_cast<std::size_t>(options_.particles), first);
   updates_.back().effective_number = static_cast<double>(particles_.size());
 }
@@ -122,16 +126,6 @@ void GridSlam::restart_at(const Pose2& found) {
   resample_where_needed();
   troubles_.found_again(recovery_->since(), updates_.back().time);
   breaks_.push_back({recovery_->since(), recovery_->first_update()});
-}
-
-// The scan enters each particle's map, and where it was seen from its past.
-void GridSlam::remember(const ScanForWeighting& scan) {
-  const std::size_t number = updates_.size() - 1;
-  tbb::parallel_for(std::size_t{0}, particles_.size(), [&](std::size_t i) {
-    Particle& particle = particles_[i];
-    particle.map.add(scan.surface, particle.pose);
-    particle.history = std::make_shared<HistoryNode>(particle.pose, number, particle.history);
-  });
 }
 
 void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,

@@ -106,13 +106,12 @@ class GridSlam : public Estimator {
  private:
   void add_scan(const LaserScan& scan);
   void update(const LaserScan& scan, const UpdateMotion& motion);
-  void start(const ScanForWeighting& scan);
+  void start();
   void move_and_weight(Particle& particle, const ScanForWeighting& scan, const UpdateMotion& motion,
                        Rng& rng) const;
   bool found_again(const ScanForWeighting& scan, const std::vector<double>& weights_before);
   void begin_recovery(double since, const std::vector<double>& weights_before);
   void restart_at(const Pose2& found);
-  void remember(const ScanForWeighting& scan);
   std::vector<double> log_weights() const;
   void resample_where_needed();
   bool closes_loop(const ScanForWeighting& scan);

@@ -128,7 +128,7 @@ std::vector<Particle> Recovery::restarted(const Pose2& found, const Updates& upd
     }
     for (std::size_t k = 0; k < since.size(); ++k) {
       const std::size_t update = first_update() + k;
-      particle.map.add(updates.scans[update].surface, since[k]);
+      if (update < newest) particle.map.add(updates.scans[update].surface, since[k]);
       particle.history = std::make_shared<HistoryNode>(since[k], update, particle.history);
     }
   });
