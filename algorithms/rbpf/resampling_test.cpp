@@ -38,5 +38,19 @@ TEST(Resampling, AParticleAppearsAsOftenAsItsWeightSaysButForOne) {
   }
 }
 
+TEST(Resampling, AParticleOfLittleWeightIsDrawnAsOftenAsItDeserves) {
+  const std::vector<double> weights{0.05, 0.5, 0.15, 0.3};  // 0.2, 2, 0.6 and 1.2 copies
+  constexpr int kDraws = 2000;
+  std::vector<double> mean(4, 0.0);
+  for (std::uint64_t seed = 0; seed < kDraws; ++seed) {
+    Rng rng(seed);
+    for (const std::size_t parent : resampled(weights, rng)) mean[parent] += 1.0 / kDraws;
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    // A share of 4 w - floor(4 w) of the draws has one copy more: five standard errors.
+    EXPECT_NEAR(mean[i], 4 * weights[i], 5 * 0.5 / std::sqrt(kDraws)) << i;
+  }
+}
+
 }  // namespace
 }  // namespace mapbed
