@@ -52,6 +52,11 @@ TEST(LoopDetector, ClosesAgainAfterAnotherUnknownArea) {
   EXPECT_EQ(closings(path), (std::vector<std::size_t>{39, 69}));
 }
 
+TEST(LoopDetector, KnowsTheVeryFirstPose) {
+  const std::vector<Pose2> square{{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}, {0, 1, 0}};
+  EXPECT_TRUE(is_back(square, {.distance = 1.5, .path_between = 15.0}));
+}
+
 TEST(LoopDetector, WaitsForAScanThatFits) {
   const auto path = path_through({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {0, 0, 0}});
   EXPECT_TRUE(closings(path, 0.3).empty());

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <Eigen/Dense>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -118,6 +119,21 @@ TEST(MotionLearning, IndependentErrorsHaveNoMemoryAndRepeatedOnesDo) {
   // The same error over and over.
   const std::vector<MotionSample> same(100, {Pose2{0.5, 0.0, 0.0}, Pose2{0.52, 0.01, 0.02}});
   EXPECT_NEAR(error_memory_of(same, kTruth), 1.0, 1e-12);
+}
+
+TEST(MotionLearning, AThirdOfTheErrorThatRepeatsIsAThirdOfTheMemory) {
+  const Pose2 measured{0.5, 0.0, 0.3};
+  const PosePrior prior = gaussian_after({}, measured, kTruth);
+  Rng rng(4);
+  std::vector<MotionSample> samples;
+  constexpr int kCount = 3000;
+  for (int i = 0; i < kCount; ++i) {
+    // Of three errors of unit variance, mixed as the model has it, the first is always the same.
+    const Eigen::Vector3d unit(1.0, rng.normal(), rng.normal());
+    const Eigen::Vector3d e = prior.information.llt().matrixU().solve(unit);
+    samples.push_back({measured, prior.mean * Pose2{e.x(), e.y(), e.z()}});
+  }
+  EXPECT_NEAR(error_memory_of(samples, kTruth), 1.0 / 3.0, 5 / std::sqrt(3.0 * kCount));
 }
 
 TEST(MotionModelFile, AllAreRead) {
