@@ -18,7 +18,7 @@ double distance_to_surface(const SurfaceMap& map, const Eigen::Vector2d& point) 
 TEST(SurfaceMapLimits, AWallThatIsSeenForHoursStaysWhereItIs) {
   SurfaceMap map(0.1);
   const SurfacePoint point{{1.03, 2.07}};
-  map.add(std::vector<SurfacePoint>(70'000, point), Pose2{});  // 2^16 = 65,536
+  map.add(std::vector<SurfacePoint>(65'536, point), Pose2{});  // 2^16: one more than a count
   EXPECT_NEAR(distance_to_surface(map, point.position), 0.0, 1e-4);
 }
 
