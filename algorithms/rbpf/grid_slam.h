@@ -59,7 +59,8 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
         "when particles are drawn anew");
   visit("resample_below", o.resample_below, kShare,
         "effective number of particles, as a share, below which selective resampling draws anew");
-  visit("map_resolution", o.map_resolution, Unit::meter, kPositive, "cells of the particles' maps");
+  visit("map_resolution", o.map_resolution, Unit::meter, between(0.01, 2.0),
+        "cells of the particles' maps");
   visit("points", o.points, "which points of a scan weight the particles");
   visit("likelihood", o.likelihood, "how likely a scan is in a particle's map");
   visit("odometry_errors", o.odometry_errors, "errors of raw odometry");

@@ -22,7 +22,8 @@ struct SettlingOptions {
 template <class Visitor>
 void visit_fields(SettlingOptions& o, Visitor&& visit) {
   visit("rounds", o.rounds, at_least(0), "how often all scans are matched; 0: not at all");
-  visit("resolution", o.resolution, Unit::meter, kPositive, "cells of the map they are matched in");
+  visit("resolution", o.resolution, Unit::meter, between(0.01, 2.0),
+        "cells of the map they are matched in");
   visit("sigma", o.sigma, Unit::meter, kPositive, "spread of end points about the mapped surface");
 }
 
