@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/rbpf/testing/drives.h"
 #include "algorithms/scan_matching/hit_points.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"
@@ -27,14 +28,6 @@ PlaceSearch search_in(const TestRoom& room, const std::vector<Pose2>& path,
   return PlaceSearch(map, path, kBeamWeight, options);
 }
 
-// 12 m x 9 m, different in all directions.
-TestRoom furnished_room() {
-  TestRoom room = rectangular_room(12.0, 9.0);
-  room.add_box({-4.0, 3.2}, 1.5, 0.8);
-  room.add_box({4.8, -2.0}, 0.8, 2.0);
-  room.add_box({1.5, 3.8}, 0.6, 0.6);
-  return room;
-}
 const std::vector<Pose2> kRound{{-3, -2, 0}, {0, -2, 0}, {3, -2, 0}, {3, 2, kPi / 2}, {-3, 2, kPi}};
 
 TEST(PlaceSearch, FindsAScanAnywhereInTheMapWithAnyHeading) {

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include "algorithms/rbpf/grid_slam.h"
+#include "core/testing/test_room.h"
+
+// Logs of drives for the tests of the particle filter, and what it makes of them.
+
+namespace mapbed {
+
+// Twice round a corridor, whose four sides differ by a box each.
+inline RecordedLog two_rounds() {
+  DriveOptions drive;
+  drive.laser.max_range = 15.0;
+  TestRoom room = ring_corridor();
+  room.add_box({3.0, -4.3}, 0.4, 0.3);
+  room.add_box({4.4, 2.0}, 0.3, 0.5);
+  room.add_box({-1.0, 4.4}, 0.6, 0.3);
+  room.add_box({-4.4, -1.0}, 0.3, 0.6);
+  return drive_through(room, {{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, -5}, {5, -5}}, drive,
+                       Rng(4));
+}
+
+// 12 m x 9 m, different in all directions.
+inline TestRoom furnished_room() {
+  TestRoom room = rectangular_room(12.0, 9.0);
+  room.add_box({-4.0, 3.2}, 1.5, 0.8);
+  room.add_box({4.8, -2.0}, 0.8, 2.0);
+  room.add_box({1.5, 3.8}, 0.6, 0.6);
+  room.add_box({-5.2, -2.5}, 0.7, 1.2);
+  room.add_box({0.5, -4.0}, 2.2, 0.5, 0.3);
+  return room;
+}
+
+// As where the robot's counters were set back.
+inline RecordedLog with_jump_of_odometry(RecordedLog log, double since) {
+  for (Measurement& measurement : log.measurements) {
+    auto* odometry = std::get_if<Odometry>(&measurement);
+    if (odometry == nullptr || odometry->time < since) continue;
+    odometry->odometry_from_robot = Pose2{5.0, -3.0, 1.0} * odometry->odometry_from_robot;
+  }
+  return log;
+}
+
+inline RecordedLog without_odometry(RecordedLog log) {
+  std::erase_if(log.measurements,
+                [](const Measurement& m) { return std::holds_alternative<Odometry>(m); });
+  return log;
+}
+
+inline Estimate run(const RecordedLog& log, const GridSlamOptions& options) {
+  GridSlam slam(options, Rng(1));
+  for (const Measurement& measurement : log.measurements) slam.add(measurement);
+  return slam.estimate();
+}
+
+// Of the last pose, both paths beginning at the same one [m].
+inline double error_at_end(const RecordedLog& log, const Estimate& estimate) {
+  const Pose2 first = *pose_at(log.true_poses, estimate.trajectory.front().time);
+  const Pose2 last = *pose_at(log.true_poses, estimate.trajectory.back().time);
+  return distance(motion_between(first, last), estimate.trajectory.back().pose);
+}
+
+}  // namespace mapbed
