@@ -73,6 +73,7 @@ PlaceSearch::Answer PlaceSearch::find(const std::vector<Eigen::Vector2d>& points
   // The lattice misses an optimum by half a cell and half a turn step, which moves a point by up
   // to half a cell each way.
   const double lattice_loss = kLatticeLoss * count;
+  const auto max_blocks = static_cast<std::size_t>(options_.max_blocks);
 
   const ScanMatch stayed = match_scan(in_cells, field_, {.mean = here});
   Answer answer{.is_here = stayed.explained >= options_.min_explained,
@@ -81,24 +82,28 @@ PlaceSearch::Answer PlaceSearch::find(const std::vector<Eigen::Vector2d>& points
   // What explains too little, or is not clearly better than to stay, is not looked at.
   const double least = (1.0 - options_.min_explained) * double{field_.floor()} * count;
   const double worth = answer.is_here ? stayed.log_likelihood + rival_margin_ : least;
-  const std::optional<ScanMatch> found = best_match_within(
-      in_cells, field_, pyramid_, anywhere, lattice, {.above = worth - lattice_loss});
-  if (!found) return answer;
-  const ScanMatch best = match_scan_from(found->map_from_robot, in_cells, field_, anywhere);
+  const LimitedSearch found =
+      best_match_within(in_cells, field_, pyramid_, anywhere, lattice,
+                        {.above = worth - lattice_loss, .max_blocks = max_blocks});
+  if (!found.match || !found.complete) return answer;
+  const ScanMatch best = match_scan_from(found.match->map_from_robot, in_cells, field_, anywhere);
   if (best.log_likelihood < worth) return answer;
   answer.is_here = is_same_place(best.map_from_robot, here);
   if (answer.is_here) return answer;
 
   const double near_best = best.log_likelihood - rival_margin_;
-  const std::optional<ScanMatch> rival =
-      best_match_within(in_cells, field_, pyramid_, anywhere, lattice,
-                        {.above = near_best - lattice_loss,
-                         .away_from = best.map_from_robot,
-                         .distance = options_.rival_distance,
-                         .turn = options_.rival_turn});
+  const LimitedSearch rival = best_match_within(in_cells, field_, pyramid_, anywhere, lattice,
+                                                {.above = near_best - lattice_loss,
+                                                 .enough = near_best,
+                                                 .away_from = best.map_from_robot,
+                                                 .distance = options_.rival_distance,
+                                                 .turn = options_.rival_turn,
+                                                 .max_blocks = max_blocks});
   const bool rivalled =
-      rival && match_scan_from(rival->map_from_robot, in_cells, field_, anywhere).log_likelihood >=
-                   near_best;
+      !rival.complete ||
+      (rival.match &&
+       match_scan_from(rival.match->map_from_robot, in_cells, field_, anywhere).log_likelihood >=
+           near_best);
   if (!rivalled) answer.elsewhere = best.map_from_robot;
   return answer;
 }

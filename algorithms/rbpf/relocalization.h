@@ -20,6 +20,7 @@ struct RelocalizationOptions {
   double min_odds = 100.0;      // of that place to any other one
   double rival_distance = 0.5;  // [m] from the place found: another one
   double rival_turn = 0.35;     // [rad] the same
+  int max_blocks = 1'000'000;   // of poses that a search looks at; about 0.2 s
   double beyond_path = 2.0;     // [m] outside the box about the path: where the robot may be
   LikelihoodFieldOptions field{.resolution = 0.1, .sigma = 0.1};
 };
@@ -35,6 +36,8 @@ void visit_fields(RelocalizationOptions& o, Visitor&& visit) {
   visit("rival_distance", o.rival_distance, Unit::meter, kPositive,
         "from the place found, where another one begins");
   visit("rival_turn", o.rival_turn, Unit::radian, kPositive, "the same for headings");
+  visit("max_blocks", o.max_blocks, at_least(1),
+        "blocks of poses that a search looks at before it is given up");
   visit("beyond_path", o.beyond_path, Unit::meter, kNotNegative,
         "outside the box about the path, where the robot may be");
   visit("field", o.field, "the smoothed map that is searched");
@@ -48,6 +51,8 @@ void visit_fields(RelocalizationOptions& o, Visitor&& visit) {
 //   place found to another are those of the likelihoods, (p(z | x, m) / p(z | x', m))^beam_weight:
 //   the beams of a scan count with the share that they have where particles are weighted. A
 //   corridor that looks alike all along therefore gives no answer.
+//
+// A search that takes too long is given up: where nothing stands out there is no answer.
 //
 // A place that is not on the map, but looks like one that is, is taken for it.
 class PlaceSearch {

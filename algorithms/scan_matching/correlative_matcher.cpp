@@ -104,13 +104,17 @@ class CorrelativeSearch {
               [](const Block& a, const Block& b) { return a.bound > b.bound; });
     const int level = static_cast<int>(pyramid_.levels.size()) - 1;
     for (const Block& block : blocks) {
-      if (block.bound <= best_) break;
+      if (block.bound <= best_ || over()) break;
       branch(block, level);
     }
     return best_pose_;
   }
 
+  bool gave_up() const { return limits_.max_blocks > 0 && looked_at_ >= limits_.max_blocks; }
+
  private:
+  bool over() const { return best_ >= limits_.enough || gave_up(); }
+
   // Where the points fall, turned and unshifted: the cells whose centres lie left of and below
   // them, as indices into the pyramid's levels. Points that no shift brings into the map are left
   // out.
@@ -132,7 +136,7 @@ class CorrelativeSearch {
     rotated_.push_back(std::move(cells));
   }
 
-  std::vector<Block> coarsest_blocks() const {
+  std::vector<Block> coarsest_blocks() {
     const int level = static_cast<int>(pyramid_.levels.size()) - 1;
     std::vector<Block> blocks;
     for (int turn = -lattice_.turns; turn <= lattice_.turns; ++turn) {
@@ -145,7 +149,8 @@ class CorrelativeSearch {
     return blocks;
   }
 
-  double bound_of(int turn, int x, int y, int level) const {
+  double bound_of(int turn, int x, int y, int level) {
+    ++looked_at_;
     const std::vector<std::int32_t>& cells =
         rotated_[static_cast<std::size_t>(turn + lattice_.turns)];
     const std::uint8_t* bounds = pyramid_.levels[static_cast<std::size_t>(level)].data() +
@@ -161,6 +166,7 @@ class CorrelativeSearch {
 
   void branch(const Block& block, int level) {
     if (level == 0) {
+      ++looked_at_;
       const Pose2 pose =
           pose_on(lattice_, prediction_.mean, map_.resolution(), block.turn, block.x, block.y);
       const double value = map_.sum_log_at(points_, pose) + prediction_.log_at(pose);
@@ -183,7 +189,7 @@ class CorrelativeSearch {
         std::swap(children[j], children[j - 1]);
       }
     }
-    for (std::size_t i = 0; i < count && children[i].bound > best_; ++i) {
+    for (std::size_t i = 0; i < count && children[i].bound > best_ && !over(); ++i) {
       branch(children[i], level - 1);
     }
   }
@@ -199,6 +205,7 @@ class CorrelativeSearch {
   std::vector<std::vector<std::int32_t>> rotated_;  // by turn
   double best_;
   std::optional<Pose2> best_pose_;
+  std::size_t looked_at_ = 0;  // blocks, and poses
 };
 
 ScanMatch match_at(const Pose2& pose, const FieldPoints& points, const LikelihoodField& map,
@@ -218,25 +225,26 @@ bool SearchLimits::exclude(const Pose2& pose) const {
          std::abs(angle_difference(pose.theta, away_from->theta)) <= turn;
 }
 
-std::optional<ScanMatch> best_match_within(const FieldPoints& points, const LikelihoodField& map,
-                                           const BoundPyramid& pyramid, const PosePrior& prediction,
-                                           const CorrelativeMatcherOptions& options,
-                                           const SearchLimits& limits) {
+LimitedSearch best_match_within(const FieldPoints& points, const LikelihoodField& map,
+                                const BoundPyramid& pyramid, const PosePrior& prediction,
+                                const CorrelativeMatcherOptions& options,
+                                const SearchLimits& limits) {
   CHECK(options.window >= 0.0 && options.turn_window >= 0.0 && !pyramid.levels.empty());
   if (points.size() == 0) return {};
   const Lattice lattice = lattice_of(points, map.resolution(), options);
   CHECK(lattice.shifts <= pyramid.max_shifts);
-  const std::optional<Pose2> best =
-      CorrelativeSearch(points, map, pyramid, prediction, lattice, limits).search();
-  if (!best) return {};
-  return match_at(*best, points, map, prediction, options.min_explained);
+  CorrelativeSearch search(points, map, pyramid, prediction, lattice, limits);
+  const std::optional<Pose2> best = search.search();
+  LimitedSearch result{.match = {}, .complete = !search.gave_up()};
+  if (best) result.match = match_at(*best, points, map, prediction, options.min_explained);
+  return result;
 }
 
 ScanMatch match_correlative(const FieldPoints& points, const LikelihoodField& map,
                             const BoundPyramid& pyramid, const PosePrior& prediction,
                             const CorrelativeMatcherOptions& options) {
   return best_match_within(points, map, pyramid, prediction, options, {})
-      .value_or(ScanMatch{.map_from_robot = prediction.mean});
+      .match.value_or(ScanMatch{.map_from_robot = prediction.mean});
 }
 
 ScanMatch match_exhaustive(const FieldPoints& points, const LikelihoodField& map,

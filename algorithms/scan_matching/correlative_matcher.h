@@ -57,18 +57,26 @@ ScanMatch match_correlative(const FieldPoints& points, const LikelihoodField& ma
 // Which poses a search may answer with.
 struct SearchLimits {
   double above = -1e300;           // of a larger log-posterior than this only
+  double enough = 1e300;           // the first one that reaches this will do
   std::optional<Pose2> away_from;  // only farther from this pose than
   double distance = 0.0;           // [m] or
   double turn = 0.0;               // [rad]
+  // Blocks of poses that are bounded at most; 0: as many as it takes. Where nothing stands out
+  // nearly every pose must be looked at, which takes minutes in a large map.
+  std::size_t max_blocks = 0;
 
   bool exclude(const Pose2& pose) const;  // too near to `away_from`
 };
 
-// The same within limits; none where no pose of the lattice is. The higher `above`, the faster.
-std::optional<ScanMatch> best_match_within(const FieldPoints& points, const LikelihoodField& map,
-                                           const BoundPyramid& pyramid, const PosePrior& prediction,
-                                           const CorrelativeMatcherOptions& options,
-                                           const SearchLimits& limits);
+// The same within limits. The higher `above`, the faster.
+struct LimitedSearch {
+  std::optional<ScanMatch> match;  // none: no pose of the lattice is within the limits
+  bool complete = true;            // false: given up after max_blocks
+};
+LimitedSearch best_match_within(const FieldPoints& points, const LikelihoodField& map,
+                                const BoundPyramid& pyramid, const PosePrior& prediction,
+                                const CorrelativeMatcherOptions& options,
+                                const SearchLimits& limits);
 
 // The plain version: every pose of the lattice. For tests.
 ScanMatch match_exhaustive(const FieldPoints& points, const LikelihoodField& map,

@@ -24,7 +24,9 @@ struct MotionModelsExperiment {
   std::string odometry_file;
   std::string matching_file;
   double longest = 0.0;  // [s]
-  GridSlamOptions filter{.particles = 1, .proposal = Proposal::scan_matching};
+  // Its motions alone count, not where they lead to.
+  GridSlamOptions filter{
+      .particles = 1, .proposal = Proposal::scan_matching, .relocalization = {.max_updates = 0}};
   GridSlamOptions reference;
 };
 
