@@ -12,10 +12,23 @@
 namespace mapbed {
 namespace {
 
+// Of what each is allowed, but not with the other.
+void check_together(const GridSlamOptions& options, const Settings& settings) {
+  if (options.proposal != Proposal::odometry || options.matcher.use_odometry) return;
+  Place place;
+  for (const Setting& setting : settings) {
+    if (setting.path == "proposal" || setting.path == "matcher.use_odometry") place = setting.place;
+  }
+  throw InputError(place,
+                   "proposal 'odometry' needs the odometry that matcher.use_odometry leaves out",
+                   "choose proposal 'scan_matching' or 'improved', or leave use_odometry as it is");
+}
+
 template <class Options>
 Options options_from(Options options, const Settings& settings, const std::string& name) {
   if constexpr (std::is_same_v<Options, GridSlamOptions>) {
     apply(with_learned_models(settings), options_of(options), name);
+    check_together(options, settings);
   } else {
     apply(settings, options_of(options), name);
   }

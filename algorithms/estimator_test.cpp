@@ -70,6 +70,15 @@ TEST_P(MethodWithErrorModels, AMisspeltModelIsToldWithItsPlace) {
                                         "you mean 'pioneer_matching'?"));
 }
 
+TEST_P(MethodWithErrorModels, TheStandardFilterCannotLeaveOdometryOut) {
+  const Settings settings{{"proposal", "odometry", {"my.yaml", 4}},
+                          {"matcher.use_odometry", "false", {"my.yaml", 7}}};
+  EXPECT_THAT([&] { method_by_name(GetParam()).complete_yaml(settings); },
+              ThrowsMessage<InputError>(HasSubstr("my.yaml:7: proposal 'odometry' needs the")));
+  EXPECT_NO_THROW(method_by_name(GetParam()).complete_yaml({settings[0]}));
+  EXPECT_NO_THROW(method_by_name(GetParam()).complete_yaml({settings[1]}));
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, MethodWithErrorModels,
                          ::testing::Values("rbpf", "maximum_likelihood"),
                          [](const auto& method) { return method.param; });

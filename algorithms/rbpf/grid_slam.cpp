@@ -21,7 +21,7 @@ GridSlam::GridSlam(const GridSlamOptions& options, Rng rng)
     : options_(options),
       rng_(rng),
       likelihood_(options.likelihood),
-      troubles_(options.troubles),
+      troubles_(options.troubles, options.proposal != Proposal::odometry),
       condenser_({options.proposal, options.update_distance, options.update_turn, options.matcher}),
       loop_detector_(options.loop_closing) {
   CHECK(options.particles > 0);

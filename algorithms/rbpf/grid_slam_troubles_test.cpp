@@ -5,6 +5,7 @@
 
 #include "algorithms/rbpf/grid_slam.h"
 #include "algorithms/rbpf/testing/drives.h"
+#include "core/testing/is_near.h"
 
 namespace mapbed {
 namespace {
@@ -41,6 +42,23 @@ TEST(GridSlam, WorksWithoutOdometryAndSaysSo) {
   EXPECT_LT(error_at_end(log, estimate), 0.5);
   EXPECT_THAT(estimate.remarks, Contains(AllOf(HasSubstr("no odometry from"),
                                                HasSubstr("scans alone say how the robot moves"))));
+}
+
+TEST(GridSlam, TheStandardFilterStandsStillWithoutOdometryAndSaysSo) {
+  GridSlamOptions options;
+  options.particles = 2;
+  options.proposal = Proposal::odometry;
+  const Estimate estimate = run(without_odometry(two_rounds()), options);
+  for (const StampedPose& stamped : estimate.trajectory) {
+    // Scans between updates are matched about where they are taken to be, which is held to be right
+    // to this.
+    const MotionModelOptions& errors = options.odometry_errors;
+    EXPECT_THAT(stamped.pose,
+                IsNear(Pose2{}, Tolerance{5 * errors.floor_way, 5 * errors.floor_turn}));
+  }
+  EXPECT_EQ(estimate.untrusted_scans, static_cast<int>(estimate.trajectory.size()) - 1);
+  EXPECT_THAT(estimate.remarks,
+              Contains(AllOf(HasSubstr("no odometry from"), HasSubstr("taken as standing still"))));
 }
 
 TEST(GridSlam, OutlivesAJumpOfOdometryAndSaysSo) {

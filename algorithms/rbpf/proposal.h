@@ -13,7 +13,8 @@ namespace mapbed {
 
 // Where the particles of an update are drawn from.
 enum class Proposal : int {
-  odometry,       // the standard filter: raw odometry with its error model
+  odometry,       // the standard filter: raw odometry with its error model; where there is none,
+                  // the robot is taken to stand still
   scan_matching,  // section 5.3: the scans since the last update, condensed into one corrected
                   // motion
   improved,  // Grisetti et al. 2007: the posterior of the update's own scan in each particle's map

@@ -66,6 +66,8 @@ ScanCondenser::Result ScanCondenser::add(const LaserScan& scan) {
       options_.matcher.use_odometry ? odometry_.at(scan.time) : std::optional<Pose2>{};
   Result result{.step = motion_since(at_scan_, odometry), .update = {}};
   at_scan_ = odometry;
+  const bool unmoved = options_.proposal == Proposal::odometry && !scans_.empty() && !result.step;
+  if (unmoved) ++unmoved_scans_;
 
   const std::optional<Pose2> step = motion_since(at_matched_scan_, odometry);
   const Place place = place_of(scan, step);

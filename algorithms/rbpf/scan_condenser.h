@@ -58,7 +58,8 @@ class ScanCondenser {
   };
   const std::vector<Scan>& scans() const { return scans_; }
   const std::vector<Update>& updates() const { return updates_; }
-  int untrusted_scans() const { return matcher_.untrusted_scans(); }
+  // Scans that fitted nowhere or, where scans are not matched, had no odometry.
+  int untrusted_scans() const { return matcher_.untrusted_scans() + unmoved_scans_; }
 
  private:
   // Where the robot is at a scan.
@@ -83,6 +84,7 @@ class ScanCondenser {
   std::vector<Update> updates_;
   Pose2 track_from_robot_;   // at the last scan that was matched
   int condensed_scans_ = 0;  // since the last update
+  int unmoved_scans_ = 0;    // by Proposal::odometry, without any
   // odometry_from_robot at the last update, the last matched scan, the last scan.
   std::optional<Pose2> at_update_, at_matched_scan_, at_scan_;
 };

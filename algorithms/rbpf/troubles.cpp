@@ -55,8 +55,10 @@ Odometry Troubles::without_jumps(const Odometry& odometry) {
 void Troubles::scan(double time, const std::optional<Pose2>& step, bool sees_anything) {
   if (!started_) start_ = time;
   started_ = true;
-  if (last_scan_) no_odometry_.tell(time, !step);
-  blind_.tell(time, !sees_anything);
+  const bool moves_unmeasured = last_scan_ && !step;  // the first scan has no step to be measured
+  no_odometry_.tell(time, moves_unmeasured && sees_anything);
+  blind_.tell(time, !moves_unmeasured && !sees_anything);
+  neither_.tell(time, moves_unmeasured && !sees_anything);
   if (!sees_anything && !step) interruption_ = time;
   const bool stood = step && std::hypot(step->x, step->y) <= options_.standing &&
                      std::abs(step->theta) <= options_.standing;
@@ -95,11 +97,16 @@ std::vector<std::string> Troubles::remarks() const {
     }
     if (all.size() > kTold) result.push_back(fmt::format("{}: {} times in all", what, all.size()));
   };
-  tell(no_odometry_, "no odometry", ": scans alone say how the robot moves");
+  tell(no_odometry_, "no odometry",
+       scans_are_matched_ ? ": scans alone say how the robot moves"
+                          : ": taken as standing still, as scans are not matched with proposal "
+                            "'odometry'");
   tell(jumps_, "odometry jumps",
        fmt::format(" (by up to {:.1f} m): taken as standing still", largest_jump_));
   tell(pauses_, "no scan", "");
   tell(blind_, "the laser sees nothing", ": odometry alone says where the robot is");
+  tell(neither_, "neither odometry nor anything that the laser sees",
+       ": how the robot moved is not known");
   for (const FoundAgain& found : found_again_) {
     result.push_back(
         fmt::format("lost at {:.1f} s, found again at {:.1f} s after the start, by its "

@@ -53,7 +53,9 @@ class Stretches {
 // scans; but how it lies to the old one is not known.
 class Troubles {
  public:
-  explicit Troubles(const TroubleOptions& options) : options_(options) {}
+  // Where scans are not matched, a robot without odometry is taken to stand still.
+  explicit Troubles(const TroubleOptions& options, bool scans_are_matched = true)
+      : options_(options), scans_are_matched_(scans_are_matched) {}
 
   // The reading as the filter should see it: without the jumps.
   Odometry without_jumps(const Odometry& odometry);
@@ -77,6 +79,7 @@ class Troubles {
   Stretches lost_for_good() const;  // the robot was not found again
 
   TroubleOptions options_;
+  bool scans_are_matched_;
   double start_ = 0.0;
   bool started_ = false;
   std::optional<Odometry> last_;        // as it came
@@ -88,7 +91,7 @@ class Troubles {
     double since = 0.0, time = 0.0;  // [s]
   };
   std::vector<FoundAgain> found_again_;
-  Stretches no_odometry_, blind_, jumps_, pauses_, lost_stretches_;
+  Stretches no_odometry_, blind_, neither_, jumps_, pauses_, lost_stretches_;
   double largest_jump_ = 0.0;  // [m]
 };
 

@@ -42,6 +42,36 @@ TEST(Troubles, AJumpOfOdometryIsTakenOutAndTold) {
                           "taken as standing still"));
 }
 
+// Of steps of odometry of half a second each.
+bool jumps(const Pose2& step, const TroubleOptions& options, double seconds = 0.5) {
+  Troubles troubles(options);
+  troubles.without_jumps({.time = 0.0});
+  troubles.without_jumps({.time = seconds, .odometry_from_robot = step});
+  return !troubles.remarks().empty();
+}
+
+TEST(Troubles, OdometryThatIsTooFastHasJumped) {
+  EXPECT_FALSE(jumps({0.9, 0.0, 0.0}, {.max_speed = 2.0}));
+  EXPECT_TRUE(jumps({0.8, 0.8, 0.0}, {.max_speed = 2.0}));
+}
+
+TEST(Troubles, OdometryThatTurnsTooFastHasJumped) {
+  EXPECT_FALSE(jumps({0.0, 0.0, -0.9}, {.max_turn_rate = 2.0}));
+  EXPECT_TRUE(jumps({0.0, 0.0, -1.1}, {.max_turn_rate = 2.0}));
+}
+
+// Stamps may be off, as where a driver hands out readings in bunches.
+TEST(Troubles, ReadingsWithNearlyTheSameStampHaveNotJumped) {
+  EXPECT_FALSE(jumps({0.2, 0.0, 0.1}, {.max_speed = 1.0, .max_turn_rate = 1.0}, 0.001));
+}
+
+TEST(Troubles, TheFirstScanHasNoStepAndMissesNone) {
+  Troubles troubles{TroubleOptions{}};
+  troubles.scan(0.0, {}, true);
+  troubles.scan(1.0, Pose2{}, true);
+  EXPECT_THAT(troubles.remarks(), IsEmpty());
+}
+
 TEST(Troubles, TellWhenOdometryWasMissing) {
   Troubles troubles{TroubleOptions{}};
   for (int i = 0; i < 10; ++i) {
@@ -66,6 +96,14 @@ TEST(Troubles, TellOfALaserThatSeesNothing) {
   Troubles troubles{TroubleOptions{}};
   for (int i = 0; i < 4; ++i) troubles.scan(i, Pose2{}, i == 0);
   EXPECT_THAT(troubles.remarks(), ElementsAre(HasSubstr("sees nothing from 1.0 s to 3.0 s")));
+}
+
+TEST(Troubles, TellOfALaserThatSeesNothingWhereOdometryIsMissingToo) {
+  Troubles troubles{TroubleOptions{}};
+  for (int i = 0; i < 4; ++i) troubles.scan(i, {}, i == 0);
+  EXPECT_THAT(troubles.remarks(),
+              ElementsAre(HasSubstr("neither odometry nor anything that the laser sees from 1.0 s "
+                                    "to 3.0 s after the start: how the robot moved is not known")));
 }
 
 TEST(Troubles, ARobotIsLostWhereTheMapExplainsNextToNothing) {

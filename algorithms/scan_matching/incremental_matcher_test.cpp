@@ -119,6 +119,54 @@ TEST(IncrementalMatcher, CountsScansOfALaserThatSeesNothingAndFollowsOdometry) {
   EXPECT_EQ(matcher.estimate().untrusted_scans, 4);
 }
 
+// From one room into another one that was never seen; the scan there is remembered, though it fits
+// nowhere.
+class MatcherCarriedAway : public ::testing::Test {
+ protected:
+  MatcherCarriedAway() {
+    add(example_place(), {7.0, 4.0, 0.0});
+    add(example_place(), {7.6, 4.0, 0.0});
+    add(elsewhere_, {-1.5, 0.0, 0.0});
+  }
+  void add(const TestRoom& room, const Pose2& pose) {
+    matcher_.add(Odometry{.time = time_, .odometry_from_robot = {0.6 * time_, 0.0, 0.0}});
+    matcher_.add(scan_of(room, pose, {.beams = 360, .first_bearing = -kPi}, time_));
+    time_ += 1.0;
+  }
+  // 0.6 m on, but for 5 cm that the wheels missed.
+  const ScanMatch& next_match_there() {
+    add(elsewhere_, {-0.85, 0.0, 0.0});
+    return matcher_.last_match();
+  }
+
+  const TestRoom elsewhere_ = rectangular_room(4.5, 2.6);
+  IncrementalMatcher matcher_;
+  double time_ = 0.0;  // [s]
+};
+
+TEST_F(MatcherCarriedAway, MatchesWithItsNewestScanAloneOnceThePastIsForgotten) {
+  EXPECT_FALSE(matcher_.last_match().trustworthy);
+  const Pose2 before = matcher_.pose();
+  matcher_.forget_past(true);
+  const ScanMatch& match = next_match_there();
+  EXPECT_TRUE(match.trustworthy);
+  EXPECT_THAT(match.map_from_robot, IsNear(before * Pose2{0.65, 0, 0}, Tolerance{0.025, 0.01}));
+}
+
+TEST_F(MatcherCarriedAway, FollowsOdometryOnceAllIsForgotten) {
+  const Pose2 before = matcher_.pose();
+  matcher_.forget_past(false);
+  EXPECT_FALSE(next_match_there().trustworthy);
+  EXPECT_THAT(matcher_.pose(), IsNear(before * Pose2{0.6, 0, 0}, Tolerance{1e-9, 1e-9}));
+}
+
+TEST(IncrementalMatcher, HasNothingToForgetAtFirst) {
+  IncrementalMatcher matcher;
+  matcher.forget_past(false);
+  matcher.forget_past(true);
+  EXPECT_EQ(matcher.pose(), Pose2{});
+}
+
 TEST(OdometryTrack, ReachesAStampBetweenAndAfterItsReadings) {
   OdometryTrack track;
   EXPECT_FALSE(track.at(0.0));
