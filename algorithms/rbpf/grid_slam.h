@@ -19,9 +19,9 @@ namespace mapbed {
 
 // Rao-Blackwellised particle filter, chapter 5: each particle is a path and the map built along it.
 // Between updates scans are matched once for all particles; at an update the particles move, the
-// scan weights them by its end points in their own maps (5.2), and enters those maps. Every scan of
-// the log gets a pose: those between updates are matched with the map of the path that is asked
-// for, between the updates about them.
+// scan weights them by its end points in their own maps (5.2); it enters those maps with the update
+// after. Every scan of the log gets a pose: those between updates are matched with the map of the
+// path that is asked for, between the updates about them.
 //
 // Where the robot may be anywhere (odometry jumped, scans were missing, the map explains nothing),
 // it is looked for in the whole map, and the particles start again where it is found: recovery.h.

@@ -45,9 +45,7 @@ TEST(GridSlam, ParticlesShareTheirPast) {
   GridSlamOptions options;
   options.particles = 20;
   options.resampling = Resampling::always;
-  GridSlam slam(options, Rng(1));
-  for (const Measurement& measurement : log.measurements) slam.add(measurement);
-  const std::vector<Diversity> diversity = slam.hypotheses().diversity;
+  const std::vector<Diversity> diversity = filter_after(log, options).hypotheses().diversity;
   EXPECT_EQ(diversity.front().distinct_ancestors, 1);  // all start at one pose
   EXPECT_EQ(diversity.back().distinct_ancestors, 20);
   for (std::size_t i = 1; i < diversity.size(); ++i) {
@@ -69,15 +67,9 @@ TEST(GridSlam, GoesOnWithTheBestParticleAloneOnceALoopIsClosed) {
   GridSlamOptions options;
   options.particles = 20;
   options.resampling = Resampling::never;
-  GridSlam all(options, Rng(1));
+  EXPECT_TRUE(collapses(filter_after(log, options).hypotheses().diversity).empty());
   options.best_only_after_loop = true;
-  GridSlam best_only(options, Rng(1));
-  for (const Measurement& measurement : log.measurements) {
-    all.add(measurement);
-    best_only.add(measurement);
-  }
-  EXPECT_TRUE(collapses(all.hypotheses().diversity).empty());
-  const std::vector<Diversity> diversity = best_only.hypotheses().diversity;
+  const std::vector<Diversity> diversity = filter_after(log, options).hypotheses().diversity;
   const std::vector<std::size_t> at = collapses(diversity);
   ASSERT_EQ(at.size(), 1U);  // the second round leads through known areas only
   EXPECT_EQ(diversity[at.front() - 1].distinct_ancestors, 1);
@@ -93,9 +85,7 @@ TEST(GridSlam, HypothesesHoldEachPoseOfTheParticlesPathsOnce) {
   GridSlamOptions options;
   options.particles = 10;
   options.resampling = Resampling::always;
-  GridSlam slam(options, Rng(1));
-  for (const Measurement& measurement : log.measurements) slam.add(measurement);
-  const Hypotheses hypotheses = slam.hypotheses();
+  const Hypotheses hypotheses = filter_after(log, options).hypotheses();
   ASSERT_FALSE(hypotheses.branches.empty());
   EXPECT_EQ(hypotheses.branches.front().size(), hypotheses.diversity.size());  // a whole path
   std::size_t poses = hypotheses.branches.front().size();
@@ -114,15 +104,13 @@ TEST(GridSlam, CondensedMotionsAreBetterThanOdometry) {
   GridSlamOptions options;
   options.particles = 1;
   options.proposal = Proposal::scan_matching;
-  GridSlam slam(options, Rng(1));
   Trajectory odometry;
   for (const Measurement& measurement : log.measurements) {
-    slam.add(measurement);
     if (const auto* reading = std::get_if<Odometry>(&measurement)) {
       odometry.push_back({reading->time, reading->odometry_from_robot});
     }
   }
-  const std::vector<GridSlam::Motion> motions = slam.motions();
+  const std::vector<GridSlam::Motion> motions = filter_after(log, options).motions();
   ASSERT_GT(motions.size(), 40U);
   const auto between = [](const Trajectory& path, const GridSlam::Motion& step) {
     return motion_between(*pose_at(path, step.from_time), *pose_at(path, step.to_time));

@@ -10,7 +10,7 @@
 namespace mapbed {
 namespace {
 
-constexpr double kBeamWeight = 0.25;
+const double kBeamWeight = SurfaceLikelihoodOptions{}.beam_weight;
 constexpr double kResolution = 0.1;  // [m] of particles' maps
 const TestLaser kLaser{.beams = 361, .first_bearing = -kPi, .max_range = 10.0};
 const Pose2 kNotThere{-3.0, -2.0, 0.0};  // where the filter has the robot after the trouble

@@ -10,7 +10,7 @@
 namespace mapbed {
 namespace {
 
-constexpr double kBeamWeight = 0.25;
+const double kBeamWeight = SurfaceLikelihoodOptions{}.beam_weight;
 const TestLaser kLaser{.beams = 361, .first_bearing = -kPi, .max_range = 10.0};
 
 std::vector<Eigen::Vector2d> hits_at(const TestRoom& room, const Pose2& pose) {

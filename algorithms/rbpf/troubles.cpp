@@ -72,8 +72,7 @@ void Troubles::scan(double time, const std::optional<Pose2>& step, bool sees_any
 }
 
 void Troubles::update(double time, double explained, bool possible) {
-  lost_ = loses(explained) || !possible;
-  lost_stretches_.tell(time, lost_);
+  lost_.tell(time, loses(explained) || !possible);
   interruption_.reset();
 }
 
@@ -83,7 +82,7 @@ Stretches Troubles::lost_for_good() const {
       return found.since <= time && time <= found.time;
     });
   };
-  return lost_stretches_.without(was_found);
+  return lost_.without(was_found);
 }
 
 std::vector<std::string> Troubles::remarks() const {

@@ -50,7 +50,8 @@ class Stretches {
 // Collects what the user should know of a run. Lost is a robot that sees next to nothing of what
 // the best particle's map holds: also where it drives into the unknown, a part of each scan still
 // lies on what it has just seen. Soon after, the new place is on the map too and explains its
-// scans; but how it lies to the old one is not known.
+// scans; but how it lies to the old one is not known, unless the robot is found in the map of
+// before.
 class Troubles {
  public:
   // Where scans are not matched, a robot without odometry is taken to stand still.
@@ -72,7 +73,6 @@ class Troubles {
   // Where the map of before `since` shows the robot at `time`.
   void found_again(double since, double time) { found_again_.push_back({since, time}); }
 
-  bool lost() const { return lost_; }
   std::vector<std::string> remarks() const;  // times from the first measurement on
 
  private:
@@ -86,12 +86,11 @@ class Troubles {
   Pose2 passed_;                        // as it was passed on
   std::optional<double> last_scan_;     // [s] of the newest one
   std::optional<double> interruption_;  // [s]
-  bool lost_ = false;
   struct FoundAgain {
     double since = 0.0, time = 0.0;  // [s]
   };
   std::vector<FoundAgain> found_again_;
-  Stretches no_odometry_, blind_, neither_, jumps_, pauses_, lost_stretches_;
+  Stretches no_odometry_, blind_, neither_, jumps_, pauses_, lost_;
   double largest_jump_ = 0.0;  // [m]
 };
 

@@ -50,10 +50,14 @@ inline RecordedLog without_odometry(RecordedLog log) {
   return log;
 }
 
-inline Estimate run(const RecordedLog& log, const GridSlamOptions& options) {
+inline GridSlam filter_after(const RecordedLog& log, const GridSlamOptions& options) {
   GridSlam slam(options, Rng(1));
   for (const Measurement& measurement : log.measurements) slam.add(measurement);
-  return slam.estimate();
+  return slam;
+}
+
+inline Estimate run(const RecordedLog& log, const GridSlamOptions& options) {
+  return filter_after(log, options).estimate();
 }
 
 // Of the last pose, both paths beginning at the same one [m].
