@@ -1,8 +1,11 @@
 #include "algorithms/grid/likelihood_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
+
+#include <tbb/parallel_for.h>
 
 #include "core/check.h"
 
@@ -59,7 +62,7 @@ void LikelihoodField::widen_directory(int tile_x, int tile_y) {
   directory_ = std::move(wider);
 }
 
-LikelihoodField::Cell* LikelihoodField::tile_for_writing(int tile_x, int tile_y) {
+std::int32_t LikelihoodField::slot_for_writing(int tile_x, int tile_y) {
   const bool inside =
       tile_x >= min_x_ && tile_x < min_x_ + width_ && tile_y >= min_y_ && tile_y < min_y_ + height_;
   if (!inside) widen_directory(tile_x, tile_y);
@@ -77,7 +80,7 @@ LikelihoodField::Cell* LikelihoodField::tile_for_writing(int tile_x, int tile_y)
     if (cells_.size() < end) cells_.resize(std::max(end, cells_.size() * 3 / 2));
     std::fill_n(cells_.begin() + static_cast<std::ptrdiff_t>(end - kTileCells), kTileCells, Cell{});
   }
-  return &cells_[static_cast<std::size_t>(slot) * kTileCells];
+  return slot;
 }
 
 void LikelihoodField::add(const std::vector<SurfacePoint>& points) {
@@ -94,7 +97,7 @@ void LikelihoodField::add(const SurfacePoint& point) {
   const auto [x, y] = middle_of(point.position);
   for (int tile_y = (y - radius_) >> kTileBits; tile_y <= (y + radius_) >> kTileBits; ++tile_y) {
     for (int tile_x = (x - radius_) >> kTileBits; tile_x <= (x + radius_) >> kTileBits; ++tile_x) {
-      add_in_tile(point, tile_x, tile_y, tile_for_writing(tile_x, tile_y));
+      add_in_tile(point, tile_x, tile_y, tile_in(slot_for_writing(tile_x, tile_y)));
     }
   }
 }
@@ -111,12 +114,16 @@ void LikelihoodField::add_in_tile(const SurfacePoint& point, int tile_x, int til
   const int last_x = std::min(middle.x + radius_, tile_x * kTileSide + kTileSide - 1);
   const int first_y = std::max(middle.y - radius_, tile_y * kTileSide);
   const int last_y = std::min(middle.y + radius_, tile_y * kTileSide + kTileSide - 1);
+  std::array<float, kTileSide> from_x;
+  for (int x = first_x; x <= last_x; ++x) {
+    from_x[static_cast<std::size_t>(x & (kTileSide - 1))] = static_cast<float>(u - x);
+  }
   for (int y = first_y; y <= last_y; ++y) {
     const auto dy = static_cast<float>(v - y);
     Cell* row = tile + (y & (kTileSide - 1)) * kTileSide;
-    for (int x = first_x; x <= last_x; ++x) {
-      const auto dx = static_cast<float>(u - x);
-      Cell& cell = row[x & (kTileSide - 1)];
+    for (int x = first_x & (kTileSide - 1); x <= (last_x & (kTileSide - 1)); ++x) {
+      const float dx = from_x[static_cast<std::size_t>(x)];
+      Cell& cell = row[x];
       if (dx * dx + dy * dy < cell.x * cell.x + cell.y * cell.y) {
         cell = {dx, dy, along.x(), along.y()};
       }
@@ -136,27 +143,39 @@ void LikelihoodField::update(const SurfaceMeans& means, const std::vector<CellIn
   }
   std::sort(tiles.begin(), tiles.end());
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
-  for (const auto& [y, x] : tiles) update_tile(x, y, means);
+  std::vector<std::int32_t> slots;
+  for (const auto& [y, x] : tiles) {
+    release_tile(x, y);
+    slots.push_back(slot_for_writing(x, y));
+  }
+  std::vector<char> is_used(tiles.size());
+  tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
+    const auto [y, x] = tiles[i];
+    is_used[i] = fill_tile(x, y, means, tile_in(slots[i])) ? 1 : 0;
+  });
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    if (is_used[i] == 0) release_tile(tiles[i].second, tiles[i].first);
+  }
 }
 
-void LikelihoodField::update_tile(int tile_x, int tile_y, const SurfaceMeans& means) {
-  release_tile(tile_x, tile_y);
-  Cell* tile = nullptr;
+// An empty tile, with all means that reach into it. False where none does.
+bool LikelihoodField::fill_tile(int tile_x, int tile_y, const SurfaceMeans& means,
+                                Cell* tile) const {
   const int reach = radius_ + 1;
   const CellIndex corner{tile_x * kTileSide, tile_y * kTileSide};
-  for (int y = corner.y - reach; y < corner.y + kTileSide + reach; ++y) {
-    for (int x = corner.x - reach; x < corner.x + kTileSide + reach; ++x) {
-      const std::optional<SurfacePoint> mean = means.mean_in({x, y});
-      if (!mean) continue;
-      const CellIndex middle = middle_of(mean->position);
-      const bool beside = middle.x + radius_ < corner.x || middle.y + radius_ < corner.y ||
-                          middle.x - radius_ >= corner.x + kTileSide ||
-                          middle.y - radius_ >= corner.y + kTileSide;
-      if (beside) continue;
-      if (tile == nullptr) tile = tile_for_writing(tile_x, tile_y);
-      add_in_tile(*mean, tile_x, tile_y, tile);
-    }
-  }
+  const CellBox about{{corner.x - reach, corner.y - reach},
+                      {corner.x + kTileSide - 1 + reach, corner.y + kTileSide - 1 + reach}};
+  bool is_used = false;
+  means.for_each_in(about, [&](const SurfacePoint& mean) {
+    const CellIndex middle = middle_of(mean.position);
+    const bool beside = middle.x + radius_ < corner.x || middle.y + radius_ < corner.y ||
+                        middle.x - radius_ >= corner.x + kTileSide ||
+                        middle.y - radius_ >= corner.y + kTileSide;
+    if (beside) return;
+    is_used = true;
+    add_in_tile(mean, tile_x, tile_y, tile);
+  });
+  return is_used;
 }
 
 void LikelihoodField::release_tile(int tile_x, int tile_y) {
@@ -234,11 +253,12 @@ float LikelihoodField::highest_in(CellIndex index) const {
   const Cell* cell = cell_at(x, y);
   if (cell == nullptr) return floor_;
   // No nearer than the line, and where there is none no nearer than the mapped point.
-  const float length = std::hypot(cell->along_x, cell->along_y);
-  if (length > 0.0F) {
+  constexpr float kLength = 0.99499F;  // of a line's direction, rounded up
+  static_assert(double{kLength} * double{kLength} >= 1.0 - kAlong * kAlong);
+  if (cell->along_x != 0.0F || cell->along_y != 0.0F) {
     const float across = std::abs(cell->x * cell->along_y - cell->y * cell->along_x);
     const float reach = 0.5F * (std::abs(cell->along_x) + std::abs(cell->along_y));
-    const float least = std::max(0.0F, across - reach) / length;
+    const float least = std::max(0.0F, across - reach) / kLength;
     return log_by(least * least);
   }
   const float dx = std::max(0.0F, std::abs(cell->x) - 0.5F);

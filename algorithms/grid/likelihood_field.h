@@ -96,9 +96,10 @@ class LikelihoodField {
   float log_by(float squared_cells) const;
   float log_in_directory(float x, float y) const;  // [cells] from the directory's corner
   CellIndex middle_of(const Eigen::Vector2d& point) const;
-  Cell* tile_for_writing(int tile_x, int tile_y);
+  std::int32_t slot_for_writing(int tile_x, int tile_y);  // of a tile; an empty one if it is new
+  Cell* tile_in(std::int32_t slot) { return &cells_[static_cast<std::size_t>(slot) * kTileCells]; }
   void release_tile(int tile_x, int tile_y);
-  void update_tile(int tile_x, int tile_y, const SurfaceMeans& means);
+  bool fill_tile(int tile_x, int tile_y, const SurfaceMeans& means, Cell* tile) const;
   void add_in_tile(const SurfacePoint& point, int tile_x, int tile_y, Cell* tile) const;
   void widen_directory(int tile_x, int tile_y);
 

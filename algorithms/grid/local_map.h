@@ -71,6 +71,13 @@ class SurfaceMeans {
   void clear();  // in time of the cells hit, keeping the memory
 
   std::optional<SurfacePoint> mean_in(CellIndex cell) const;
+  // visit(mean) for the cells of a box that were hit, row by row.
+  template <class Visitor>
+  void for_each_in(const CellBox& box, Visitor&& visit) const {
+    is_hit_.for_each_in(box, [&](CellIndex cell, std::uint8_t is_hit) {
+      if (is_hit != 0) visit(mean_of(grid_[cell]));
+    });
+  }
   std::vector<SurfacePoint> means() const;  // in the order in which the cells were first hit
 
   // The cells whose means were changed since this was asked last.

@@ -57,6 +57,21 @@ class TiledGrid {
     return tile == nullptr ? kUnwritten : (*tile)[offset_of(cell)];
   }
 
+  // visit(cell index, cell) for the cells of a box that lie in tiles, row by row.
+  template <class Visitor>
+  void for_each_in(const CellBox& box, Visitor&& visit) const {
+    for (int y = box.min.y; y <= box.max.y; ++y) {
+      for (int x = box.min.x; x <= box.max.x;) {
+        const int end = std::min(box.max.x, x | (kTileSide - 1)) + 1;  // of the tile or the box
+        const Tile* tile = tile_of({x, y});
+        for (std::size_t i = offset_of({x, y}); tile != nullptr && x < end; ++x, ++i) {
+          visit(CellIndex{x, y}, (*tile)[i]);
+        }
+        x = end;
+      }
+    }
+  }
+
   // The cell for writing; makes its tile where there is none.
   Cell& at(CellIndex cell) {
     return (*tile_for_writing(cell.x >> kTileBits, cell.y >> kTileBits))[offset_of(cell)];

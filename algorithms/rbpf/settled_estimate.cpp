@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <tbb/parallel_for.h>
+
 namespace mapbed {
 namespace {
 
@@ -57,20 +59,19 @@ Trajectory with_scans_between(const SettledPath& path,
                               const std::vector<KeptHits>& hits, const std::vector<Break>& breaks,
                               const MotionModelOptions& motion_errors,
                               const SettlingOptions& options) {
-  Trajectory trajectory;
-  trajectory.reserve(scans.size());
-  std::vector<Eigen::Vector2d> points;
-  for (std::size_t i = 0; i < scans.size(); ++i) {
+  Trajectory trajectory(scans.size());
+  tbb::parallel_for(std::size_t{0}, scans.size(), [&](std::size_t i) {
     Pose2 pose = path.poses[scans[i].updates - 1];
     if (!scans[i].is_update) {
-      points.clear();
+      std::vector<Eigen::Vector2d> points;
+      points.reserve(hits[i].size());
       for (const Eigen::Vector2f& hit : hits[i]) points.push_back(hit.cast<double>());
       pose = settled_beside(points,
                             prior_between(scans[i], path.poses, updates, breaks, motion_errors),
                             path.map, options);
     }
-    trajectory.push_back({scans[i].time, pose});
-  }
+    trajectory[i] = {scans[i].time, pose};
+  });
   return trajectory;
 }
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <tbb/parallel_for.h>
+
 #include "algorithms/scan_matching/correlative_matcher.h"
 
 namespace mapbed {
@@ -44,14 +46,16 @@ BoundPyramid make_bound_pyramid(const LikelihoodField& field, double window) {
 
   std::vector<std::uint8_t> cells(
       static_cast<std::size_t>(pyramid.width) * static_cast<std::size_t>(pyramid.height), 0);
-  for (int y = box.min.y; y <= box.max.y; ++y) {
+  const std::size_t rows = box.empty() ? 0 : static_cast<std::size_t>(box.height());
+  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row_number) {
+    const int y = box.min.y + static_cast<int>(row_number);
     std::uint8_t* row =
         cells.data() + std::ptrdiff_t{y - pyramid.min_y} * pyramid.width - pyramid.min_x;
     for (int x = box.min.x; x <= box.max.x; ++x) {
       const double above = double{field.highest_in({x, y})} - double{field.floor()};
       row[x] = static_cast<std::uint8_t>(std::min(255.0, std::ceil(above / pyramid.step - 1e-9)));
     }
-  }
+  });
   pyramid.levels.push_back(std::move(cells));
   for (int h = 0; h + 1 < level_count; ++h) {
     pyramid.levels.push_back(widened(pyramid.levels.back(), pyramid.width, 1 << h));
