@@ -117,7 +117,7 @@ void GridSlam::begin_recovery(double since, const std::vector<double>& weights_b
   for (std::size_t i = 0; i < before.size(); ++i) before[i].log_weight = weights_before[i];
   recovery_.emplace(since, std::move(before),
                     Recovery::Updates{weighting_scans_, condenser_.updates()},
-                    options_.likelihood.beam_weight, options_.relocalization);
+                    options_.relocalization);
 }
 
 void GridSlam::restart_at(const Pose2& found) {

@@ -39,12 +39,12 @@ std::size_t nearest_on(const std::vector<Pose2>& path, const Pose2& pose) {
 }  // namespace
 
 Recovery::Recovery(double since, std::vector<Particle> before, const Updates& updates,
-                   double beam_weight, const RelocalizationOptions& options)
+                   const RelocalizationOptions& options)
     : options_(options),
       since_(since),
       before_(std::move(before)),
       path_(path_of_best(before_)),
-      search_(seen_along(path_, updates.scans), path_, beam_weight, options) {}
+      search_(seen_along(path_, updates.scans), path_, options) {}
 
 bool Recovery::gives_up(const Updates& updates) const {
   return updates.scans.size() - first_update() >= static_cast<std::size_t>(options_.max_updates);

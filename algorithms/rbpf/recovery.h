@@ -28,7 +28,7 @@ class Recovery {
   };
 
   // `before` as they were when the last scan before the trouble had entered their maps.
-  Recovery(double since, std::vector<Particle> before, const Updates& updates, double beam_weight,
+  Recovery(double since, std::vector<Particle> before, const Updates& updates,
            const RelocalizationOptions& options);
 
   double since() const { return since_; }                    // [s]

@@ -10,7 +10,6 @@
 namespace mapbed {
 namespace {
 
-const double kBeamWeight = SurfaceLikelihoodOptions{}.beam_weight;
 constexpr double kResolution = 0.1;  // [m] of particles' maps
 const TestLaser kLaser{.beams = 361, .first_bearing = -kPi, .max_range = 10.0};
 const Pose2 kNotThere{-3.0, -2.0, 0.0};  // where the filter has the robot after the trouble
@@ -42,7 +41,7 @@ class CarriedRobot : public ::testing::Test {
     updates_.push_back({.seen_from_robot = seen_from_robot});
   }
   Recovery recovery(const RelocalizationOptions& options = {}) const {
-    return Recovery(kSince, before_, view(), kBeamWeight, options);
+    return Recovery(kSince, before_, view(), options);
   }
   Recovery::Updates view() const { return {scans_, updates_}; }
 

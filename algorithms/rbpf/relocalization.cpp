@@ -33,11 +33,11 @@ LikelihoodField field_of(const std::vector<SurfacePoint>& map,
 }  // namespace
 
 PlaceSearch::PlaceSearch(const std::vector<SurfacePoint>& map, const std::vector<Pose2>& path,
-                         double beam_weight, const RelocalizationOptions& options)
+                         const RelocalizationOptions& options)
     : options_(options),
-      rival_margin_(std::log(options.min_odds) / beam_weight),
+      rival_margin_(std::log(options.min_odds) / options.beam_weight),
       field_(field_of(map, options.field)) {
-  CHECK(!path.empty() && beam_weight > 0.0);
+  CHECK(!path.empty() && options.beam_weight > 0.0);
   Eigen::Vector2d low = path.front().position(), high = low;
   for (const Pose2& pose : path) {
     low = low.cwiseMin(pose.position());

@@ -18,6 +18,7 @@ struct RelocalizationOptions {
   int max_points = 180;         // of them together
   double min_explained = 0.65;  // of their points by the map, at the place found
   double min_odds = 100.0;      // of that place to any other one
+  double beam_weight = 0.25;    // share with which a point counts for these odds
   double rival_distance = 0.5;  // [m] from the place found: another one
   double rival_turn = 0.35;     // [rad] the same
   int max_blocks = 1'000'000;   // of poses that a search looks at; about 0.2 s
@@ -33,6 +34,8 @@ void visit_fields(RelocalizationOptions& o, Visitor&& visit) {
   visit("max_points", o.max_points, at_least(1), "points of them together");
   visit("min_explained", o.min_explained, kShare, "share of them that the map explains there");
   visit("min_odds", o.min_odds, at_least(1.0), "odds of the place found to any other one");
+  visit("beam_weight", o.beam_weight, between(0.001, 1.0),
+        "share with which a point counts for these odds, as points err alike");
   visit("rival_distance", o.rival_distance, Unit::meter, kPositive,
         "from the place found, where another one begins");
   visit("rival_turn", o.rival_turn, Unit::radian, kPositive, "the same for headings");
@@ -49,8 +52,8 @@ void visit_fields(RelocalizationOptions& o, Visitor&& visit) {
 //   against odometry: in a place that is not on the map, scans fit nowhere as well.
 // - No other place comes near. Before looking all places are equally likely, so the odds of the
 //   place found to another are those of the likelihoods, (p(z | x, m) / p(z | x', m))^beam_weight:
-//   the beams of a scan count with the share that they have where particles are weighted. A
-//   corridor that looks alike all along therefore gives no answer.
+//   points err alike, so each counts with a share. A corridor that looks alike all along therefore
+//   gives no answer.
 //
 // A search that takes too long is given up: where nothing stands out there is no answer.
 //
@@ -59,7 +62,7 @@ class PlaceSearch {
  public:
   // `path` is where the robot was while it made the map.
   PlaceSearch(const std::vector<SurfacePoint>& map, const std::vector<Pose2>& path,
-              double beam_weight, const RelocalizationOptions& options);
+              const RelocalizationOptions& options);
 
   struct Answer {
     bool is_here = false;            // where it is taken to be; no other place is clearly better

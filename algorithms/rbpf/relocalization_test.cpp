@@ -10,7 +10,6 @@
 namespace mapbed {
 namespace {
 
-const double kBeamWeight = SurfaceLikelihoodOptions{}.beam_weight;
 const TestLaser kLaser{.beams = 361, .first_bearing = -kPi, .max_range = 10.0};
 
 std::vector<Eigen::Vector2d> hits_at(const TestRoom& room, const Pose2& pose) {
@@ -25,7 +24,7 @@ PlaceSearch search_in(const TestRoom& room, const std::vector<Pose2>& path,
         transformed(surface_points(scan_of(room, pose, kLaser), 30.0, 0.2, 0.05), pose);
     map.insert(map.end(), seen.begin(), seen.end());
   }
-  return PlaceSearch(map, path, kBeamWeight, options);
+  return PlaceSearch(map, path, options);
 }
 
 const std::vector<Pose2> kRound{{-3, -2, 0}, {0, -2, 0}, {3, -2, 0}, {3, 2, kPi / 2}, {-3, 2, kPi}};
