@@ -2,9 +2,9 @@
 
 #include <type_traits>
 
-#include "algorithms/odometry_estimator.h"
+#include "algorithms/motion/motion_learning.h"
+#include "algorithms/motion/odometry_estimator.h"
 #include "algorithms/rbpf/grid_slam.h"
-#include "algorithms/rbpf/motion_learning.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "algorithms/motion/motion_learning.h"
 #include "algorithms/rbpf/grid_slam.h"
-#include "algorithms/rbpf/motion_learning.h"
 #include "core/input_error.h"
 
 namespace mapbed {

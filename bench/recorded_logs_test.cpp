@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "algorithms/scan/hit_points.h"
 #include "algorithms/scan_matching/correlative_matcher.h"
-#include "algorithms/scan_matching/hit_points.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "bench/metrics/relations.h"
 #include "bench/metrics/trajectory_error.h"

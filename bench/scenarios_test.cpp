@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "bench/cli/program_under_test.h"
-#include "bench/results_file.h"
+#include "bench/results/results_file.h"
 #include "core/data_path.h"
 #include "core/testing/temporary_folder.h"
 

@@ -14,7 +14,7 @@
 #include "sim/actors/person_body.h"
 #include "sim/physics/planar_physics.h"
 #include "sim/scene/scene.h"
-#include "worlds/footprint.h"
+#include "worlds/geometry/footprint.h"
 
 namespace mapbed {
 namespace {

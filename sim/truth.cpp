@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/file/text_file.h"
 #include "core/input_error.h"
-#include "core/text_file.h"
 
 // The lines, in this order; blanks between fields, names last since they may have blanks:
 //   TRUTH 1

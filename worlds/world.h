@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "core/geometry/pose2.h"
-#include "worlds/material.h"
-#include "worlds/shape.h"
+#include "worlds/geometry/material.h"
+#include "worlds/geometry/shape.h"
 
 namespace mapbed {
 

@@ -4,10 +4,10 @@
 #include "core/data_path.h"
 #include "core/input_error.h"
 #include "worlds/corridor/corridor.h"
+#include "worlds/file/world_file.h"
 #include "worlds/loop_corridor/loop_corridor.h"
 #include "worlds/museum/museum.h"
 #include "worlds/office/office.h"
-#include "worlds/world_file.h"
 
 namespace mapbed {
 namespace {

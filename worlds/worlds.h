@@ -24,8 +24,8 @@ const std::vector<WorldKind>& world_kinds();
 std::vector<std::string> world_file_names();
 
 // By the name of a builder or of a file in worlds/, or from a file where the name ends in ".yaml"
-// (worlds/world_file.h). Throws InputError for an unknown name (with the nearest one) or a wrong
-// setting.
+// (worlds/file/world_file.h). Throws InputError for an unknown name (with the nearest one) or a
+// wrong setting.
 World build_world(const std::string& name, const Settings& settings = {});
 
 }  // namespace mapbed

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/input_error.h"
-#include "worlds/free_ways.h"
+#include "worlds/build/free_ways.h"
 
 namespace mapbed {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "algorithms/grid/beam.h"
 #include "algorithms/grid/occupancy_map.h"
+#include "algorithms/scan/beam.h"
 #include "core/config/option.h"
 #include "core/sensor/laser_scan.h"
 

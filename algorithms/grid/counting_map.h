@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "algorithms/grid/beam.h"
 #include "algorithms/grid/occupancy_map.h"
+#include "algorithms/scan/beam.h"
 
 namespace mapbed {
 

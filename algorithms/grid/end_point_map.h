@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "algorithms/grid/beam.h"
 #include "algorithms/grid/occupancy_map.h"
 #include "algorithms/grid/odds_model.h"
+#include "algorithms/scan/beam.h"
 
 namespace mapbed {
 

@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "algorithms/grid/beam.h"
 #include "algorithms/grid/occupancy_map.h"
 #include "algorithms/grid/odds_model.h"
+#include "algorithms/scan/beam.h"
 #include "core/config/option.h"
 #include "core/geometry/trajectory.h"
 #include "core/log/sensor_log.h"

@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "algorithms/grid/beam.h"
 #include "algorithms/grid/testing/drawing.h"
+#include "algorithms/scan/beam.h"
 #include "core/testing/throws_input_error.h"
 
 namespace mapbed {

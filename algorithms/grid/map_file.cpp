@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "algorithms/grid/map_image.h"
-#include "core/atomic_file.h"
 #include "core/config/config_node.h"
+#include "core/file/atomic_file.h"
 #include "core/image/png.h"
 #include "core/image/pnm.h"
 #include "core/input_error.h"

@@ -7,12 +7,12 @@
 
 #include "algorithms/grid/map_image.h"
 #include "algorithms/grid/testing/drawing.h"
-#include "core/atomic_file.h"
+#include "core/file/atomic_file.h"
+#include "core/file/text_file.h"
 #include "core/image/png.h"
 #include "core/image/pnm.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "algorithms/rbpf/hypotheses.h"
+#include "algorithms/particles/hypotheses.h"
 #include "core/check.h"
 
 namespace mapbed {

@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "algorithms/estimator.h"
+#include "algorithms/field/surface_likelihood.h"
+#include "algorithms/field/surface_map.h"
 #include "algorithms/rbpf/grid_slam_options.h"
 #include "algorithms/rbpf/loop_closing.h"
 #include "algorithms/rbpf/particle.h"
 #include "algorithms/rbpf/recovery.h"
 #include "algorithms/rbpf/scan_condenser.h"
-#include "algorithms/rbpf/settled_estimate.h"
-#include "algorithms/rbpf/surface_likelihood.h"
-#include "algorithms/rbpf/surface_map.h"
 #include "algorithms/rbpf/troubles.h"
+#include "algorithms/refinement/settled_estimate.h"
 
 namespace mapbed {
 

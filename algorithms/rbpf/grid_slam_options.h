@@ -1,14 +1,14 @@
 #pragma once
 
+#include "algorithms/field/surface_likelihood.h"
+#include "algorithms/localization/relocalization.h"
+#include "algorithms/motion/motion_model.h"
+#include "algorithms/particles/resampling.h"
 #include "algorithms/rbpf/loop_closing.h"
-#include "algorithms/rbpf/motion_model.h"
 #include "algorithms/rbpf/proposal.h"
-#include "algorithms/rbpf/relocalization.h"
-#include "algorithms/rbpf/resampling.h"
-#include "algorithms/rbpf/settling.h"
-#include "algorithms/rbpf/surface_likelihood.h"
 #include "algorithms/rbpf/troubles.h"
-#include "algorithms/scan_matching/hit_points.h"
+#include "algorithms/refinement/settling.h"
+#include "algorithms/scan/hit_points.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "core/config/option.h"
 

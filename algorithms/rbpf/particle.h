@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "algorithms/rbpf/history.h"
-#include "algorithms/rbpf/surface_map.h"
+#include "algorithms/field/surface_map.h"
+#include "algorithms/particles/history.h"
 
 namespace mapbed {
 

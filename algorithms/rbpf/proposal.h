@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 
-#include "algorithms/rbpf/motion_model.h"
-#include "algorithms/scan_matching/motion_prior.h"
-#include "core/geometry/pose_prior.h"
+#include "algorithms/motion/motion_model.h"
+#include "algorithms/motion/motion_prior.h"
+#include "algorithms/motion/pose_prior.h"
 #include "core/random.h"
 
 namespace mapbed {

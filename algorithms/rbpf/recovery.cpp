@@ -5,7 +5,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "algorithms/rbpf/hypotheses.h"
+#include "algorithms/particles/hypotheses.h"
 #include "algorithms/rbpf/proposal.h"
 
 namespace mapbed {

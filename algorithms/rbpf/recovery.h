@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/rbpf/motion_model.h"
+#include "algorithms/field/surface_likelihood.h"
+#include "algorithms/localization/relocalization.h"
+#include "algorithms/motion/motion_model.h"
 #include "algorithms/rbpf/particle.h"
-#include "algorithms/rbpf/relocalization.h"
 #include "algorithms/rbpf/scan_condenser.h"
-#include "algorithms/rbpf/surface_likelihood.h"
 #include "core/random.h"
 
 namespace mapbed {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "algorithms/rbpf/hypotheses.h"
+#include "algorithms/particles/hypotheses.h"
 #include "algorithms/rbpf/testing/drives.h"
 #include "core/testing/is_near.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/odometry_track.h"
+#include "algorithms/motion/odometry_track.h"
 #include "algorithms/rbpf/proposal.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 

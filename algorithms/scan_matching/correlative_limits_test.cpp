@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "algorithms/scan/hit_points.h"
 #include "algorithms/scan_matching/correlative_matcher.h"
-#include "algorithms/scan_matching/hit_points.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"
 

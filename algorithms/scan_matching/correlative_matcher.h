@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/grid/likelihood_field.h"
+#include "algorithms/field/likelihood_field.h"
+#include "algorithms/motion/pose_prior.h"
 #include "algorithms/scan_matching/scan_matcher.h"
 #include "core/config/option.h"
-#include "core/geometry/pose_prior.h"
 
 namespace mapbed {
 

@@ -5,10 +5,10 @@
 
 #include <Eigen/Core>
 
-#include "algorithms/grid/local_map.h"
+#include "algorithms/field/local_map.h"
+#include "algorithms/motion/pose_prior.h"
 #include "algorithms/scan_matching/scan_matcher.h"
 #include "core/config/option.h"
-#include "core/geometry/pose_prior.h"
 
 namespace mapbed {
 

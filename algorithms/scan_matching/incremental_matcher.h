@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "algorithms/estimator.h"
-#include "algorithms/grid/likelihood_field.h"
-#include "algorithms/grid/local_map.h"
-#include "algorithms/odometry_track.h"
+#include "algorithms/field/likelihood_field.h"
+#include "algorithms/field/local_map.h"
+#include "algorithms/motion/motion_prior.h"
+#include "algorithms/motion/odometry_track.h"
+#include "algorithms/scan/hit_points.h"
 #include "algorithms/scan_matching/correlative_matcher.h"
-#include "algorithms/scan_matching/hit_points.h"
 #include "algorithms/scan_matching/icp_matcher.h"
-#include "algorithms/scan_matching/motion_prior.h"
 #include "algorithms/scan_matching/scan_matcher.h"
 
 namespace mapbed {

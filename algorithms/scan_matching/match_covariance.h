@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
-#include "algorithms/grid/likelihood_field.h"
+#include "algorithms/field/likelihood_field.h"
+#include "algorithms/motion/pose_prior.h"
 #include "core/config/option.h"
-#include "core/geometry/pose_prior.h"
 
 namespace mapbed {
 

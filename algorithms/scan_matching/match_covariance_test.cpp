@@ -6,8 +6,8 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "algorithms/grid/local_map.h"
-#include "algorithms/scan_matching/hit_points.h"
+#include "algorithms/field/local_map.h"
+#include "algorithms/scan/hit_points.h"
 #include "algorithms/scan_matching/scan_matcher.h"
 #include "core/testing/test_room.h"
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "algorithms/scan_matching/likelihood_slope.h"
+#include "algorithms/field/likelihood_slope.h"
 #include "core/check.h"
 #include "core/geometry/angle.h"
 

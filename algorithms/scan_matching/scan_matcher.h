@@ -1,8 +1,8 @@
 #pragma once
 
-#include "algorithms/grid/likelihood_field.h"
+#include "algorithms/field/likelihood_field.h"
+#include "algorithms/motion/pose_prior.h"
 #include "core/config/option.h"
-#include "core/geometry/pose_prior.h"
 
 namespace mapbed {
 

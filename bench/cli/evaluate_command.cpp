@@ -9,11 +9,11 @@
 
 #include "bench/cli/commands.h"
 #include "bench/metrics/evaluation.h"
-#include "core/atomic_file.h"
+#include "core/file/atomic_file.h"
+#include "core/file/text_file.h"
 #include "core/geometry/tum_file.h"
 #include "core/input_error.h"
 #include "core/log/log_file.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 namespace {

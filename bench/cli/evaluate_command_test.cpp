@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "bench/cli/testing/command_test.h"
-#include "core/text_file.h"
+#include "core/file/text_file.h"
 
 namespace mapbed {
 namespace {

@@ -9,7 +9,7 @@
 #include "bench/cli/testing/command_test.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
-#include "core/log/carmen_log.h"
+#include "core/log/dialects/carmen_log.h"
 #include "core/testing/test_room.h"
 
 namespace mapbed {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
-#include "bench/version.h"
+#include "bench/process/version.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
 

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "core/check.h"
-#include "core/text_file.h"
+#include "core/file/text_file.h"
 
 namespace mapbed {
 namespace {

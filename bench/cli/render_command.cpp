@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
-#include "bench/map_loader.h"
-#include "bench/map_picture.h"
-#include "bench/world_picture.h"
+#include "bench/plot/map_picture.h"
+#include "bench/plot/world_picture.h"
+#include "bench/sources/map_loader.h"
 #include "core/config/quantity.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"

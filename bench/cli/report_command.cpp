@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
-#include "bench/report/figures.h"
-#include "bench/report/overview_page.h"
-#include "bench/results_file.h"
+#include "bench/pages/overview_page.h"
+#include "bench/results/figures.h"
+#include "bench/results/results_file.h"
 
 namespace mapbed {
 

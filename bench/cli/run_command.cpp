@@ -12,11 +12,11 @@
 #include "bench/cli/interrupt.h"
 #include "bench/cli/output_folder.h"
 #include "bench/cli/progress.h"
-#include "bench/csv_file.h"
-#include "bench/report/figures.h"
-#include "bench/report/overview_page.h"
-#include "bench/results_file.h"
+#include "bench/pages/overview_page.h"
+#include "bench/results/figures.h"
+#include "bench/results/results_file.h"
 #include "bench/scenario/run_scenario.h"
+#include "core/file/csv_file.h"
 #include "core/input_error.h"
 
 namespace mapbed {

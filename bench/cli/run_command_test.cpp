@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "bench/cli/testing/command_test.h"
-#include "bench/results_file.h"
+#include "bench/results/results_file.h"
 
 namespace mapbed {
 namespace {

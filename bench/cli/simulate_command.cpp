@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
-#include "bench/scenario/log_source.h"
 #include "bench/scenario/scenario_log.h"
+#include "bench/sources/log_source.h"
 #include "core/input_error.h"
 
 namespace mapbed {

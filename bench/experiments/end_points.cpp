@@ -4,7 +4,7 @@
 
 #include "algorithms/grid/map_builder.h"
 #include "bench/experiments/posed_scans.h"
-#include "bench/map_picture.h"
+#include "bench/plot/map_picture.h"
 #include "core/image/png.h"
 
 namespace mapbed {

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "bench/metrics/relations.h"
-#include "bench/results.h"
+#include "bench/results/results.h"
 #include "core/config/settings.h"
 #include "core/geometry/trajectory.h"
 #include "core/log/sensor_log.h"
 #include "core/random.h"
 #include "sim/recorder.h"
-#include "worlds/raster.h"
+#include "worlds/geometry/raster.h"
 
 namespace mapbed {
 

@@ -1,7 +1,7 @@
 #include "bench/experiments/end_points.h"
 #include "bench/experiments/experiment.h"
 #include "bench/experiments/known_poses.h"
-#include "bench/experiments/laser/laser_readings.h"
+#include "bench/experiments/laser_readings.h"
 #include "bench/experiments/matching_basin.h"
 #include "bench/experiments/motion_models.h"
 #include "bench/experiments/odds_vs_counting.h"

@@ -5,9 +5,9 @@
 
 #include "algorithms/grid/map_builder.h"
 #include "bench/experiments/posed_scans.h"
-#include "bench/map_picture.h"
 #include "bench/metrics/entropy.h"
 #include "bench/metrics/map_error.h"
+#include "bench/plot/map_picture.h"
 #include "core/image/png.h"
 
 namespace mapbed {

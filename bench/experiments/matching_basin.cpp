@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/grid/likelihood_field.h"
-#include "algorithms/grid/local_map.h"
+#include "algorithms/field/likelihood_field.h"
+#include "algorithms/field/local_map.h"
+#include "algorithms/scan/hit_points.h"
 #include "algorithms/scan_matching/correlative_matcher.h"
-#include "algorithms/scan_matching/hit_points.h"
 #include "algorithms/scan_matching/icp_matcher.h"
 #include "algorithms/scan_matching/scan_matcher.h"
 #include "bench/experiments/posed_scans.h"

@@ -7,9 +7,9 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "algorithms/motion/motion_learning.h"
 #include "algorithms/rbpf/grid_slam.h"
-#include "algorithms/rbpf/motion_learning.h"
-#include "bench/report/plot.h"
+#include "bench/plot/plot.h"
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
 

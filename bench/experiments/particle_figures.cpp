@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/report/plot.h"
+#include "bench/plot/plot.h"
 
 namespace mapbed {
 namespace {

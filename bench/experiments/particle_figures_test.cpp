@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "bench/report/testing/well_formed.h"
+#include "bench/pages/testing/well_formed.h"
 
 namespace mapbed {
 namespace {

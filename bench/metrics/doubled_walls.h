@@ -2,7 +2,7 @@
 
 #include "algorithms/grid/occupancy_map.h"
 #include "core/config/option.h"
-#include "worlds/raster.h"
+#include "worlds/geometry/raster.h"
 
 namespace mapbed {
 

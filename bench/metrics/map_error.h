@@ -1,7 +1,7 @@
 #pragma once
 
 #include "algorithms/grid/occupancy_map.h"
-#include "worlds/raster.h"
+#include "worlds/geometry/raster.h"
 
 namespace mapbed {
 

@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "core/check.h"
+#include "core/file/text_file.h"
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 namespace {

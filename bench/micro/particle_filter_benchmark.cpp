@@ -3,9 +3,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "algorithms/field/surface_likelihood.h"
 #include "algorithms/rbpf/grid_slam.h"
-#include "algorithms/rbpf/surface_likelihood.h"
-#include "bench/thread_limit.h"
+#include "bench/process/thread_limit.h"
 #include "core/data_path.h"
 #include "core/log/log_description.h"
 

@@ -3,14 +3,14 @@
 
 #include <benchmark/benchmark.h>
 
-#include "algorithms/grid/local_map.h"
+#include "algorithms/field/local_map.h"
+#include "algorithms/scan/hit_points.h"
 #include "algorithms/scan_matching/correlative_matcher.h"
-#include "algorithms/scan_matching/hit_points.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "algorithms/scan_matching/scan_matcher.h"
 #include "core/data_path.h"
 #include "core/geometry/angle.h"
-#include "core/log/carmen_log.h"
+#include "core/log/dialects/carmen_log.h"
 #include "core/log/log_description.h"
 
 namespace mapbed {

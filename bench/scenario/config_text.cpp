@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "bench/scenario/flow_text.h"
+#include "bench/results/flow_text.h"
+#include "bench/results/plot_spec.h"
 #include "bench/scenario/plan.h"
-#include "bench/scenario/plot_spec.h"
 #include "core/config/config_node.h"
 #include "core/config/quantity.h"
 #include "core/config/yaml_scalar.h"

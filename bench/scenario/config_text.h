@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bench/results.h"
+#include "bench/results/results.h"
 
 namespace mapbed {
 

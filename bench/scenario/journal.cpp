@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "bench/csv_file.h"
+#include "core/file/csv_file.h"
+#include "core/file/sha256.h"
+#include "core/file/text_file.h"
 #include "core/input_error.h"
-#include "core/log/sha256.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 namespace {

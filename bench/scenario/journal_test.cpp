@@ -5,10 +5,10 @@
 
 #include <gmock/gmock.h>
 
-#include "bench/scenario/folder_lock.h"
+#include "bench/process/folder_lock.h"
+#include "core/file/text_file.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 namespace {

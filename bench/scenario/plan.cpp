@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "bench/results/cost_claims.h"
+#include "bench/results/plot_spec.h"
 #include "bench/scenario/config_text.h"
-#include "bench/scenario/cost_claims.h"
-#include "bench/scenario/plot_spec.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "bench/experiments/experiment.h"
-#include "bench/results.h"
-#include "bench/scenario/log_source.h"
+#include "bench/results/results.h"
 #include "bench/scenario/scenario.h"
+#include "bench/sources/log_source.h"
 
 namespace mapbed {
 

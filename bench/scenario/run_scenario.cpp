@@ -12,17 +12,17 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "bench/results_file.h"
+#include "bench/process/folder_lock.h"
+#include "bench/process/provenance.h"
+#include "bench/results/cost_claims.h"
+#include "bench/results/results_file.h"
+#include "bench/results/summary.h"
 #include "bench/scenario/config_text.h"
-#include "bench/scenario/cost_claims.h"
-#include "bench/scenario/folder_lock.h"
 #include "bench/scenario/journal.h"
-#include "bench/scenario/provenance.h"
 #include "bench/scenario/runner.h"
-#include "bench/scenario/summary.h"
-#include "core/atomic_file.h"
 #include "core/check.h"
-#include "core/log/sha256.h"
+#include "core/file/atomic_file.h"
+#include "core/file/sha256.h"
 
 namespace mapbed {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/results.h"
+#include "bench/results/results.h"
 #include "bench/scenario/plan.h"
 
 namespace mapbed {

@@ -9,9 +9,9 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "bench/process_cost.h"
-#include "bench/scenario/memory_gate.h"
-#include "bench/thread_limit.h"
+#include "bench/process/memory_gate.h"
+#include "bench/process/process_cost.h"
+#include "bench/process/thread_limit.h"
 #include "core/check.h"
 
 namespace mapbed {

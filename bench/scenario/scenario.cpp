@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/scenario/plot_spec.h"
+#include "bench/results/plot_spec.h"
 #include "core/config/config_node.h"
 #include "core/config/suggestion.h"
 #include "core/data_path.h"

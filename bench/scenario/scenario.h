@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/results.h"
-#include "bench/scenario/claim.h"
+#include "bench/results/claim.h"
+#include "bench/results/results.h"
 #include "core/config/config_node.h"
 #include "core/config/settings.h"
 

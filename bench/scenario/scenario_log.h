@@ -3,7 +3,7 @@
 #include <string>
 
 #include "bench/scenario/scenario.h"
-#include "bench/simulate.h"
+#include "bench/sources/simulate.h"
 
 namespace mapbed {
 

@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include "bench/scenario/log_source.h"
 #include "bench/scenario/plan.h"
+#include "bench/sources/log_source.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
 

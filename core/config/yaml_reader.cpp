@@ -7,7 +7,7 @@
 
 #include "core/check.h"
 #include "core/config/config_node.h"
-#include "core/text_file.h"
+#include "core/file/text_file.h"
 
 namespace mapbed {
 namespace {

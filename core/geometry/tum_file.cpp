@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "core/file/text_file.h"
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 namespace {

@@ -6,10 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/file/text_file.h"
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
 #include "core/testing/is_near.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 namespace {

@@ -4,9 +4,9 @@
 #include <charconv>
 #include <cstring>
 
-#include "core/atomic_file.h"
+#include "core/file/atomic_file.h"
+#include "core/file/text_file.h"
 #include "core/input_error.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 namespace {

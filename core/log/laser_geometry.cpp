@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/file/fields.h"
 #include "core/geometry/angle.h"
-#include "core/log/fields.h"
 
 namespace mapbed {
 namespace {

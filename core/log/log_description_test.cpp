@@ -8,11 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/file/sha256.h"
+#include "core/file/text_file.h"
 #include "core/geometry/angle.h"
-#include "core/log/sha256.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 namespace {

@@ -8,12 +8,12 @@
 
 #include <fmt/core.h>
 
-#include "core/log/carmen_log.h"
-#include "core/log/coreslam_log.h"
-#include "core/log/dpslam_log.h"
-#include "core/log/fields.h"
-#include "core/log/scan_list_log.h"
-#include "core/log/text_blocks.h"
+#include "core/file/fields.h"
+#include "core/file/text_blocks.h"
+#include "core/log/dialects/carmen_log.h"
+#include "core/log/dialects/coreslam_log.h"
+#include "core/log/dialects/dpslam_log.h"
+#include "core/log/dialects/scan_list_log.h"
 
 namespace mapbed {
 namespace {

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "core/config/settings.h"
+#include "core/file/text_file.h"
 #include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 namespace {

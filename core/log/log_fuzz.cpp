@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/check.h"
-#include "core/log/carmen_log.h"
+#include "core/log/dialects/carmen_log.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace mapbed;

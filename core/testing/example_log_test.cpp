@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/log/carmen_log.h"
-#include "core/text_file.h"
+#include "core/file/text_file.h"
+#include "core/log/dialects/carmen_log.h"
 
 namespace mapbed {
 namespace {

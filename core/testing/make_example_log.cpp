@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "core/input_error.h"
-#include "core/log/carmen_log.h"
+#include "core/log/dialects/carmen_log.h"
 #include "core/testing/example_log.h"
 
 int main(int argc, char** argv) {

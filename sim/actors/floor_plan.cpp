@@ -8,7 +8,7 @@
 
 #include "core/check.h"
 #include "core/input_error.h"
-#include "worlds/footprint.h"
+#include "worlds/geometry/footprint.h"
 
 namespace mapbed {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/check.h"
 #include "core/geometry/angle.h"
-#include "worlds/footprint.h"
+#include "worlds/geometry/footprint.h"
 
 namespace mapbed {
 namespace {

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "sim/scene/ray.h"
-#include "worlds/shape.h"
+#include "worlds/geometry/shape.h"
 
 namespace mapbed {
 

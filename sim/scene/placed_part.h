@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/pose3.h"
-#include "worlds/shape.h"
+#include "worlds/geometry/shape.h"
 
 namespace mapbed {
 

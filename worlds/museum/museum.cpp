@@ -7,9 +7,9 @@
 
 #include "core/geometry/angle.h"
 #include "core/random.h"
-#include "worlds/building.h"
-#include "worlds/free_ways.h"
-#include "worlds/furniture.h"
+#include "worlds/build/building.h"
+#include "worlds/build/free_ways.h"
+#include "worlds/build/furniture.h"
 
 namespace mapbed {
 namespace {

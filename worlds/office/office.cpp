@@ -7,10 +7,10 @@
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
 #include "core/random.h"
-#include "worlds/building.h"
-#include "worlds/free_ways.h"
-#include "worlds/furnish.h"
-#include "worlds/furniture.h"
+#include "worlds/build/building.h"
+#include "worlds/build/free_ways.h"
+#include "worlds/build/furnish.h"
+#include "worlds/build/furniture.h"
 
 namespace mapbed {
 namespace {

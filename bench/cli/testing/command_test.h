@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 
 #include "bench/cli/program_under_test.h"
+#include "core/file/text_file.h"
 #include "core/testing/temporary_folder.h"
-#include "core/text_file.h"
 
 namespace mapbed {
 

@@ -1,0 +1,312 @@
+#include "algorithms/field/likelihood_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <tbb/parallel_for.h>
+
+#include "core/check.h"
+
+namespace mapbed {
+namespace {
+
+constexpr int kProfileSize = 1024;   // the profile is smooth in d^2, so steps of d^2 are even
+constexpr int kDirectoryMargin = 4;  // [tiles] grown beyond what is needed
+
+}  // namespace
+
+LikelihoodField::LikelihoodField(const LikelihoodFieldOptions& options)
+    : resolution_(options.resolution),
+      sigma_(options.sigma),
+      floor_(static_cast<float>(std::log1p(-options.hit_share))) {
+  CHECK(options.resolution > 0.0 && options.sigma > 0.0);
+  CHECK(options.hit_share > 0.0 && options.hit_share < 1.0);
+  const double sigma = options.sigma / options.resolution;  // [cells]
+  const double reach = 3.0 * sigma;
+  radius_ = static_cast<int>(std::ceil(reach));
+  profile_scale_ = static_cast<float>(kProfileSize / (reach * reach));
+  profile_.resize(kProfileSize + 1);
+  for (int i = 0; i <= kProfileSize; ++i) {
+    const double squared = i * reach * reach / kProfileSize;
+    const double gauss = std::exp(-squared / (2.0 * sigma * sigma));
+    profile_[static_cast<std::size_t>(i)] =
+        static_cast<float>(std::log(options.hit_share * gauss + 1.0 - options.hit_share));
+  }
+}
+
+void LikelihoodField::clear() {
+  std::fill(directory_.begin(), directory_.end(), -1);
+  free_tiles_.clear();
+  tiles_ = 0;
+}
+
+void LikelihoodField::widen_directory(int tile_x, int tile_y) {
+  const int old_x = min_x_, old_y = min_y_, old_width = width_, old_height = height_;
+  const auto widen = [](int tile, int& min, int& size) {
+    const int low = size == 0 ? tile : min;
+    const int high = size == 0 ? tile + 1 : min + size;
+    min = tile < low ? tile - kDirectoryMargin : low;
+    size = (tile >= high ? tile + 1 + kDirectoryMargin : high) - min;
+  };
+  widen(tile_x, min_x_, width_);
+  widen(tile_y, min_y_, height_);
+  std::vector<std::int32_t> wider(
+      static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1);
+  for (int y = 0; y < old_height; ++y) {
+    const auto from = directory_.begin() + std::ptrdiff_t{y} * old_width;
+    std::copy(from, from + old_width,
+              wider.begin() + std::ptrdiff_t{y + old_y - min_y_} * width_ + (old_x - min_x_));
+  }
+  directory_ = std::move(wider);
+}
+
+std::int32_t LikelihoodField::slot_for_writing(int tile_x, int tile_y) {
+  const bool inside =
+      tile_x >= min_x_ && tile_x < min_x_ + width_ && tile_y >= min_y_ && tile_y < min_y_ + height_;
+  if (!inside) widen_directory(tile_x, tile_y);
+  std::int32_t& slot =
+      directory_[static_cast<std::size_t>(tile_y - min_y_) * static_cast<std::size_t>(width_) +
+                 static_cast<std::size_t>(tile_x - min_x_)];
+  if (slot < 0) {
+    if (free_tiles_.empty()) {
+      slot = tiles_++;
+    } else {
+      slot = free_tiles_.back();
+      free_tiles_.pop_back();
+    }
+    const std::size_t end = static_cast<std::size_t>(slot + 1) * kTileCells;
+    if (cells_.size() < end) cells_.resize(std::max(end, cells_.size() * 3 / 2));
+    std::fill_n(cells_.begin() + static_cast<std::ptrdiff_t>(end - kTileCells), kTileCells, Cell{});
+  }
+  return slot;
+}
+
+void LikelihoodField::add(const std::vector<SurfacePoint>& points) {
+  for (const SurfacePoint& point : points) add(point);
+}
+
+// The cell whose centre is nearest.
+CellIndex LikelihoodField::middle_of(const Eigen::Vector2d& point) const {
+  return {static_cast<int>(std::lround(point.x() / resolution_ - 0.5)),
+          static_cast<int>(std::lround(point.y() / resolution_ - 0.5))};
+}
+
+void LikelihoodField::add(const SurfacePoint& point) {
+  const auto [x, y] = middle_of(point.position);
+  for (int tile_y = (y - radius_) >> kTileBits; tile_y <= (y + radius_) >> kTileBits; ++tile_y) {
+    for (int tile_x = (x - radius_) >> kTileBits; tile_x <= (x + radius_) >> kTileBits; ++tile_x) {
+      add_in_tile(point, tile_x, tile_y, tile_in(slot_for_writing(tile_x, tile_y)));
+    }
+  }
+}
+
+void LikelihoodField::add_in_tile(const SurfacePoint& point, int tile_x, int tile_y,
+                                  Cell* tile) const {
+  // In cells, so that (x, y) stands for the centre of cell (x, y).
+  const double u = point.position.x() / resolution_ - 0.5;
+  const double v = point.position.y() / resolution_ - 0.5;
+  const Eigen::Vector2f along =
+      (std::sqrt(1.0 - kAlong * kAlong) * tangent_of(point.doubled)).cast<float>();
+  const CellIndex middle = middle_of(point.position);
+  const int first_x = std::max(middle.x - radius_, tile_x * kTileSide);
+  const int last_x = std::min(middle.x + radius_, tile_x * kTileSide + kTileSide - 1);
+  const int first_y = std::max(middle.y - radius_, tile_y * kTileSide);
+  const int last_y = std::min(middle.y + radius_, tile_y * kTileSide + kTileSide - 1);
+  std::array<float, kTileSide> from_x;
+  for (int x = first_x; x <= last_x; ++x) {
+    from_x[static_cast<std::size_t>(x & (kTileSide - 1))] = static_cast<float>(u - x);
+  }
+  for (int y = first_y; y <= last_y; ++y) {
+    const auto dy = static_cast<float>(v - y);
+    Cell* row = tile + (y & (kTileSide - 1)) * kTileSide;
+    for (int x = first_x & (kTileSide - 1); x <= (last_x & (kTileSide - 1)); ++x) {
+      const float dx = from_x[static_cast<std::size_t>(x)];
+      Cell& cell = row[x];
+      if (dx * dx + dy * dy < cell.x * cell.x + cell.y * cell.y) {
+        cell = {dx, dy, along.x(), along.y()};
+      }
+    }
+  }
+}
+
+void LikelihoodField::update(const SurfaceMeans& means, const std::vector<CellIndex>& changed) {
+  // A mean lies in its cell, so it is rounded to the cell's centre or to the next one's.
+  std::vector<std::pair<int, int>> tiles;  // (y, x)
+  for (const CellIndex cell : changed) {
+    for (int y = (cell.y - radius_) >> kTileBits; y <= (cell.y + 1 + radius_) >> kTileBits; ++y) {
+      for (int x = (cell.x - radius_) >> kTileBits; x <= (cell.x + 1 + radius_) >> kTileBits; ++x) {
+        if (tiles.empty() || tiles.back() != std::pair(y, x)) tiles.emplace_back(y, x);
+      }
+    }
+  }
+  std::sort(tiles.begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  std::vector<std::int32_t> slots;
+  for (const auto& [y, x] : tiles) {
+    release_tile(x, y);
+    slots.push_back(slot_for_writing(x, y));
+  }
+  std::vector<char> is_used(tiles.size());
+  tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
+    const auto [y, x] = tiles[i];
+    is_used[i] = fill_tile(x, y, means, tile_in(slots[i])) ? 1 : 0;
+  });
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    if (is_used[i] == 0) release_tile(tiles[i].second, tiles[i].first);
+  }
+}
+
+// An empty tile, with all means that reach into it. False where none does.
+bool LikelihoodField::fill_tile(int tile_x, int tile_y, const SurfaceMeans& means,
+                                Cell* tile) const {
+  const int reach = radius_ + 1;
+  const CellIndex corner{tile_x * kTileSide, tile_y * kTileSide};
+  const CellBox about{{corner.x - reach, corner.y - reach},
+                      {corner.x + kTileSide - 1 + reach, corner.y + kTileSide - 1 + reach}};
+  bool is_used = false;
+  means.for_each_in(about, [&](const SurfacePoint& mean) {
+    const CellIndex middle = middle_of(mean.position);
+    const bool beside = middle.x + radius_ < corner.x || middle.y + radius_ < corner.y ||
+                        middle.x - radius_ >= corner.x + kTileSide ||
+                        middle.y - radius_ >= corner.y + kTileSide;
+    if (beside) return;
+    is_used = true;
+    add_in_tile(mean, tile_x, tile_y, tile);
+  });
+  return is_used;
+}
+
+void LikelihoodField::release_tile(int tile_x, int tile_y) {
+  const int x = tile_x - min_x_, y = tile_y - min_y_;
+  if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
+  std::int32_t& slot = directory_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                                  static_cast<std::size_t>(x)];
+  if (slot < 0) return;
+  free_tiles_.push_back(slot);
+  slot = -1;
+}
+
+inline float LikelihoodField::log_by(float squared_cells) const {
+  const float at = squared_cells * profile_scale_;
+  if (!(at < static_cast<float>(kProfileSize))) return floor_;
+  const int index = static_cast<int>(at);
+  const float low = profile_[static_cast<std::size_t>(index)];
+  const float high = profile_[static_cast<std::size_t>(index) + 1];
+  return low + (at - static_cast<float>(index)) * (high - low);
+}
+
+inline const LikelihoodField::Cell* LikelihoodField::cell_at(int x, int y) const {
+  const std::int32_t slot =
+      directory_[static_cast<std::size_t>((y >> kTileBits) * width_ + (x >> kTileBits))];
+  if (slot < 0) return nullptr;
+  return &cells_[static_cast<std::size_t>(slot) * kTileCells +
+                 static_cast<std::size_t>((y & (kTileSide - 1)) * kTileSide +
+                                          (x & (kTileSide - 1)))];
+}
+
+// Negative and far coordinates, NaN too, read as the floor.
+inline float LikelihoodField::log_in_directory(float x, float y) const {
+  if (!(x >= 0.0F && y >= 0.0F && x < static_cast<float>(width_ * kTileSide) &&
+        y < static_cast<float>(height_ * kTileSide))) {
+    return floor_;
+  }
+  const int ix = static_cast<int>(x), iy = static_cast<int>(y);
+  const Cell* cell = cell_at(ix, iy);
+  if (cell == nullptr) return floor_;
+  const float dx = x - static_cast<float>(ix) - 0.5F - cell->x;
+  const float dy = y - static_cast<float>(iy) - 0.5F - cell->y;
+  const float along = dx * cell->along_x + dy * cell->along_y;
+  return log_by(dx * dx + dy * dy - along * along);
+}
+
+double LikelihoodField::log_at(const Eigen::Vector2d& point) const {
+  return double{
+      log_in_directory(static_cast<float>(point.x() / resolution_ - double{kTileSide} * min_x_),
+                       static_cast<float>(point.y() / resolution_ - double{kTileSide} * min_y_))};
+}
+
+// With q = d^2 in cells, ln(w exp(-q / (2 s^2)) + 1 - w) has the derivative -r / (2 s^2), r the
+// share of the Gaussian in the mixture; q's second derivative alone counts for the curvature
+// (Gauss-Newton).
+LikelihoodField::Shape LikelihoodField::shape_at(const Eigen::Vector2d& point) const {
+  const double x = point.x() / resolution_ - double{kTileSide} * min_x_;
+  const double y = point.y() / resolution_ - double{kTileSide} * min_y_;
+  if (!(x >= 0.0 && y >= 0.0 && x < width_ * kTileSide && y < height_ * kTileSide)) return {};
+  const Cell* cell = cell_at(static_cast<int>(x), static_cast<int>(y));
+  if (cell == nullptr || cell->x == kFar) return {};
+  const Eigen::Vector2d off(x - std::floor(x) - 0.5 - double{cell->x},
+                            y - std::floor(y) - 0.5 - double{cell->y});
+  Eigen::Matrix2d across = Eigen::Matrix2d::Identity();
+  const Eigen::Vector2d along(double{cell->along_x}, double{cell->along_y});
+  if (!along.isZero()) across -= along * along.transpose() / along.squaredNorm();
+  const double value = double{log_by(static_cast<float>(off.dot(across * off)))};
+  const double responsibility = 1.0 - std::exp(double{floor_} - value);
+  const double weight = responsibility / (sigma_ * sigma_);
+  return {.slope = -weight * resolution_ * across * off, .curvature = weight * across};
+}
+
+float LikelihoodField::highest_in(CellIndex index) const {
+  const int x = index.x - min_x_ * kTileSide, y = index.y - min_y_ * kTileSide;
+  if (x < 0 || y < 0 || x >= width_ * kTileSide || y >= height_ * kTileSide) return floor_;
+  const Cell* cell = cell_at(x, y);
+  if (cell == nullptr) return floor_;
+  // No nearer than the line, and where there is none no nearer than the mapped point.
+  constexpr float kLength = 0.99499F;  // of a line's direction, rounded up
+  static_assert(double{kLength} * double{kLength} >= 1.0 - kAlong * kAlong);
+  if (cell->along_x != 0.0F || cell->along_y != 0.0F) {
+    const float across = std::abs(cell->x * cell->along_y - cell->y * cell->along_x);
+    const float reach = 0.5F * (std::abs(cell->along_x) + std::abs(cell->along_y));
+    const float least = std::max(0.0F, across - reach) / kLength;
+    return log_by(least * least);
+  }
+  const float dx = std::max(0.0F, std::abs(cell->x) - 0.5F);
+  const float dy = std::max(0.0F, std::abs(cell->y) - 0.5F);
+  return log_by(dx * dx + dy * dy);
+}
+
+CellBox LikelihoodField::box() const {
+  CellBox box;
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      if (directory_[static_cast<std::size_t>(y * width_ + x)] < 0) continue;
+      const CellIndex low{(min_x_ + x) * kTileSide, (min_y_ + y) * kTileSide};
+      const CellIndex high{low.x + kTileSide - 1, low.y + kTileSide - 1};
+      if (box.empty()) {
+        box = {low, high};
+      } else {
+        box.min = {std::min(box.min.x, low.x), std::min(box.min.y, low.y)};
+        box.max = {std::max(box.max.x, high.x), std::max(box.max.y, high.y)};
+      }
+    }
+  }
+  return box;
+}
+
+double LikelihoodField::sum_log_at(const FieldPoints& points, const Pose2& map_from_robot) const {
+  const auto c = static_cast<float>(std::cos(map_from_robot.theta));
+  const auto s = static_cast<float>(std::sin(map_from_robot.theta));
+  const auto tx = static_cast<float>(map_from_robot.x / resolution_ - double{kTileSide} * min_x_);
+  const auto ty = static_cast<float>(map_from_robot.y / resolution_ - double{kTileSide} * min_y_);
+  float sum = 0.0F;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float x = points.x[i], y = points.y[i];
+    sum += log_in_directory(c * x - s * y + tx, s * x + c * y + ty);
+  }
+  return double{sum};
+}
+
+FieldPoints to_field_points(const std::vector<Eigen::Vector2d>& points_in_robot,
+                            double resolution) {
+  FieldPoints result;
+  result.x.reserve(points_in_robot.size());
+  result.y.reserve(points_in_robot.size());
+  for (const Eigen::Vector2d& point : points_in_robot) {
+    result.x.push_back(static_cast<float>(point.x() / resolution));
+    result.y.push_back(static_cast<float>(point.y() / resolution));
+  }
+  return result;
+}
+
+}  // namespace mapbed

@@ -1,0 +1,127 @@
+#include "algorithms/field/local_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/check.h"
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kStepsPerUnit = 1 << 24;  // of SurfaceMeans' sums, in a metre
+
+}  // namespace
+
+bool is_far_enough(const Pose2& integrated, const Pose2& pose, const LocalMapOptions& options) {
+  return distance(integrated, pose) >= options.min_distance ||
+         std::abs(angle_difference(integrated.theta, pose.theta)) >= options.min_turn;
+}
+
+std::vector<std::size_t> select_local_scans(const std::vector<Pose2>& poses,
+                                            const LocalMapOptions& options) {
+  CHECK(options.max_scans > 0 && options.max_history > 0);
+  std::vector<std::size_t> selected;
+  if (poses.empty()) return selected;
+  const std::size_t t = poses.size();  // the scan to be matched; the newest past one is t - 1
+  selected.push_back(t - 1);
+  for (std::size_t i = t - 1; i-- > 0;) {
+    const bool enough = selected.size() >= static_cast<std::size_t>(options.max_scans) ||
+                        t - i >= static_cast<std::size_t>(options.max_history);
+    if (enough) break;
+    if (is_far_enough(poses[selected.back()], poses[i], options)) selected.push_back(i);
+  }
+  return selected;
+}
+
+Eigen::Vector2d tangent_of(const Eigen::Vector2d& mean_doubled) {
+  constexpr double kMinAgreement = 0.5;
+  const double agreement = mean_doubled.norm();
+  if (agreement < kMinAgreement) return Eigen::Vector2d::Zero();
+  const double c = mean_doubled.x() / agreement;
+  return {std::sqrt(0.5 * (1.0 + c)),
+          std::copysign(std::sqrt(std::max(0.0, 0.5 * (1.0 - c))), mean_doubled.y())};
+}
+
+std::vector<SurfacePoint> transformed(const std::vector<SurfacePoint>& points_in_b,
+                                      const Pose2& a_from_b) {
+  const double c = std::cos(a_from_b.theta), s = std::sin(a_from_b.theta);
+  const double c2 = c * c - s * s, s2 = 2.0 * c * s;
+  std::vector<SurfacePoint> points_in_a;
+  points_in_a.reserve(points_in_b.size());
+  for (const SurfacePoint& point : points_in_b) {
+    const Eigen::Vector2d& p = point.position;
+    const Eigen::Vector2d& d = point.doubled;
+    points_in_a.push_back({{a_from_b.x + c * p.x() - s * p.y(), a_from_b.y + s * p.x() + c * p.y()},
+                           {c2 * d.x() - s2 * d.y(), s2 * d.x() + c2 * d.y()}});
+  }
+  return points_in_a;
+}
+
+void SurfaceMeans::count(const SurfacePoint& point, int sign) {
+  const CellIndex index = grid_.cell_of(point.position);
+  Cell& cell = grid_.at(index);
+  const auto steps = [&](double value) { return sign * std::llround(value * kStepsPerUnit); };
+  cell.x += steps(point.position.x());
+  cell.y += steps(point.position.y());
+  cell.doubled_x += steps(point.doubled.x());
+  cell.doubled_y += steps(point.doubled.y());
+  cell.count += sign;
+  is_hit_.at(index) = cell.count > 0 ? 1 : 0;
+  if (!cell.listed) hit_cells_.push_back(index);
+  if (!cell.changed) changed_cells_.push_back(index);
+  cell.listed = cell.changed = true;
+}
+
+void SurfaceMeans::add(const std::vector<SurfacePoint>& points_in_map) {
+  for (const SurfacePoint& point : points_in_map) count(point, 1);
+}
+
+void SurfaceMeans::remove(const std::vector<SurfacePoint>& points_in_map) {
+  for (const SurfacePoint& point : points_in_map) count(point, -1);
+  std::erase_if(hit_cells_, [&](const CellIndex index) {
+    Cell& cell = grid_.at(index);
+    CHECK(cell.count >= 0);
+    if (cell.count == 0) cell.listed = false;
+    return cell.count == 0;
+  });
+}
+
+void SurfaceMeans::clear() {
+  for (const CellIndex index : hit_cells_) {
+    Cell& cell = grid_.at(index);
+    if (!cell.changed) changed_cells_.push_back(index);
+    cell = Cell{};
+    cell.changed = true;
+    is_hit_.at(index) = 0;
+  }
+  hit_cells_.clear();
+}
+
+std::vector<CellIndex> SurfaceMeans::take_changed() {
+  for (const CellIndex index : changed_cells_) grid_.at(index).changed = false;
+  return std::exchange(changed_cells_, {});
+}
+
+SurfacePoint SurfaceMeans::mean_of(const Cell& cell) {
+  const double scale = 1.0 / (kStepsPerUnit * cell.count);
+  const auto mean = [&](std::int64_t x, std::int64_t y) -> Eigen::Vector2d {
+    return scale * Eigen::Vector2d(static_cast<double>(x), static_cast<double>(y));
+  };
+  return {mean(cell.x, cell.y), mean(cell.doubled_x, cell.doubled_y)};
+}
+
+std::optional<SurfacePoint> SurfaceMeans::mean_in(CellIndex index) const {
+  if (is_hit_[index] == 0) return std::nullopt;
+  return mean_of(grid_[index]);
+}
+
+std::vector<SurfacePoint> SurfaceMeans::means() const {
+  std::vector<SurfacePoint> result;
+  result.reserve(hit_cells_.size());
+  for (const CellIndex index : hit_cells_) result.push_back(mean_of(grid_[index]));
+  return result;
+}
+
+}  // namespace mapbed

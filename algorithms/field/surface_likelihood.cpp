@@ -1,0 +1,216 @@
+#include "algorithms/field/surface_likelihood.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "algorithms/field/surface_map_reader.h"
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kMaxGap = 0.2;  // [m] neighbouring hits that are nearer belong to one surface
+constexpr int kIterations = 4;
+constexpr std::size_t kCoarse = 3;     // the first step is taken by every third hit
+constexpr std::size_t kManyHits = 40;  // of fewer by all
+constexpr double kConverged = 2e-3;    // [m], [rad] the step after that is far smaller still
+constexpr float kAlong = 0.1F;  // of a distance along a mapped line that counts, as in the field
+constexpr float kMinAgreement = 0.5F;  // of the directions that make a line, as in tangent_of
+constexpr int kLevels = 512;
+constexpr double kReach = 4.0;  // [sigma] beyond, the Gaussian counts for nothing
+
+// The projection on the line of a mapped point, (I + [x y; y -x]) / 2 with (x, y) = (cos 2a, sin
+// 2a); nothing where it has no line.
+struct Projection {
+  float half = 0.0F;         // 1/2, or 0
+  float x = 0.0F, y = 0.0F;  // times 1/2
+
+  explicit Projection(const SurfaceMap::Nearest& nearest) {
+    const float squared =
+        nearest.doubled_x * nearest.doubled_x + nearest.doubled_y * nearest.doubled_y;
+    if (squared < kMinAgreement * kMinAgreement) return;
+    half = 0.5F;
+    const float scale = 0.5F / std::sqrt(squared);
+    x = scale * nearest.doubled_x;
+    y = scale * nearest.doubled_y;
+  }
+};
+
+// Of a point to the mapped surface [m^2].
+float squared_distance(const SurfaceMap::Nearest& nearest, const Projection& along) {
+  const float xx = nearest.off_x * nearest.off_x, yy = nearest.off_y * nearest.off_y;
+  const float squared_along =
+      along.half * (xx + yy) + along.x * (xx - yy) + 2.0F * along.y * nearest.off_x * nearest.off_y;
+  return xx + yy - (1.0F - kAlong * kAlong) * squared_along;
+}
+
+}  // namespace
+
+ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions& points,
+                                    const SurfaceLikelihoodOptions& options,
+                                    double map_resolution) {
+  ScanForWeighting result;
+  result.hits = hit_points(scan, points);
+  result.surface = surface_points(scan, points.max_range, kMaxGap, 0.9 * map_resolution);
+  const double end = scan.max_range - options.free_before_end;
+  if (scan.max_range > options.no_return_range || end <= 0.0) return result;
+  const std::size_t every =
+      std::max<std::size_t>(1, scan.ranges.size() / static_cast<std::size_t>(points.max_points));
+  for (std::size_t beam = 0; beam < scan.ranges.size(); beam += every) {
+    if (!scan.is_max_range(beam)) continue;
+    const double bearing = scan.bearing(beam);
+    result.free.push_back(scan.robot_from_laser *
+                          Eigen::Vector2d(end * std::cos(bearing), end * std::sin(bearing)));
+  }
+  return result;
+}
+
+SurfaceLikelihood::SurfaceLikelihood(const SurfaceLikelihoodOptions& options)
+    : options_(options), floor_(std::log1p(-options.hit_share)), levels_(kLevels + 1) {
+  const double reach = kReach * options.sigma;
+  levels_per_square_ = static_cast<float>(kLevels / (reach * reach));
+  for (int i = 0; i <= kLevels; ++i) {
+    const double squared_sigmas = kReach * kReach * i / kLevels;
+    const double gauss = options.hit_share * std::exp(-0.5 * squared_sigmas);
+    const double mixture = gauss + 1.0 - options.hit_share;
+    levels_[static_cast<std::size_t>(i)] = {static_cast<float>(std::log(mixture)),
+                                            static_cast<float>(gauss / mixture)};
+  }
+}
+
+inline SurfaceLikelihood::Level SurfaceLikelihood::level_at(float squared_distance) const {
+  const float at = squared_distance * levels_per_square_;
+  if (!(at < static_cast<float>(kLevels))) return {static_cast<float>(floor_), 0.0F};
+  const int index = static_cast<int>(at);
+  const float rest = at - static_cast<float>(index);
+  const Level& low = levels_[static_cast<std::size_t>(index)];
+  const Level& high = levels_[static_cast<std::size_t>(index) + 1];
+  return {low.log + rest * (high.log - low.log), low.share + rest * (high.share - low.share)};
+}
+
+double SurfaceLikelihood::sum_of_free(const std::vector<Eigen::Vector2d>& free,
+                                      const SurfaceMap& map, const Pose2& map_from_robot) const {
+  const auto reach = static_cast<float>(map.resolution() * map.resolution());
+  SurfaceMap::Reader reader(map);
+  double sum = 0.0;
+  for (const Eigen::Vector2d& point : free) {
+    const Eigen::Vector2d at = map_from_robot * point;
+    const SurfaceMap::Nearest nearest = reader.nearest(at.x(), at.y());
+    const float squared = nearest.off_x * nearest.off_x + nearest.off_y * nearest.off_y;
+    if (nearest.found && squared < reach) sum += floor_;
+  }
+  return sum;
+}
+
+double SurfaceLikelihood::sum_of_hits(const std::vector<Eigen::Vector2d>& hits,
+                                      const SurfaceMap& map, const Pose2& map_from_robot) const {
+  const double c = std::cos(map_from_robot.theta), s = std::sin(map_from_robot.theta);
+  SurfaceMap::Reader reader(map);
+  double sum = 0.0;
+  for (const Eigen::Vector2d& hit : hits) {
+    const SurfaceMap::Nearest nearest = reader.nearest(
+        map_from_robot.x + c * hit.x() - s * hit.y(), map_from_robot.y + s * hit.x() + c * hit.y());
+    sum += nearest.found ? double{level_at(squared_distance(nearest, Projection(nearest))).log}
+                         : floor_;
+  }
+  return sum;
+}
+
+double SurfaceLikelihood::log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
+                                         const Pose2& map_from_robot) const {
+  return options_.beam_weight * (sum_of_hits(scan.hits, map, map_from_robot) +
+                                 sum_of_free(scan.free, map, map_from_robot));
+}
+
+double SurfaceLikelihood::explained_share(const ScanForWeighting& scan, const SurfaceMap& map,
+                                          const Pose2& map_from_robot) const {
+  if (scan.hits.empty()) return 0.0;
+  const double worst = static_cast<double>(scan.hits.size()) * floor_;
+  return 1.0 - sum_of_hits(scan.hits, map, map_from_robot) / worst;
+}
+
+SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const std::vector<Eigen::Vector2d>& hits,
+                                                          std::size_t every, const SurfaceMap& map,
+                                                          const Pose2& map_from_robot) const {
+  const double c = std::cos(map_from_robot.theta), s = std::sin(map_from_robot.theta);
+  SurfaceMap::Reader reader(map);
+  float sum = 0.0F, gx = 0.0F, gy = 0.0F, gt = 0.0F;
+  float xx = 0.0F, xy = 0.0F, yy = 0.0F, xt = 0.0F, yt = 0.0F, tt = 0.0F;
+  for (std::size_t i = 0; i < hits.size(); i += every) {
+    const double x = c * hits[i].x() - s * hits[i].y(), y = s * hits[i].x() + c * hits[i].y();
+    const SurfaceMap::Nearest nearest = reader.nearest(map_from_robot.x + x, map_from_robot.y + y);
+    if (!nearest.found) {
+      sum += static_cast<float>(floor_);
+      continue;
+    }
+    const Projection along(nearest);
+    const Level level = level_at(squared_distance(nearest, along));
+    sum += level.log;
+    // Along its line a point may slide: it pulls across it only.
+    const float nxx = level.share * (1.0F - along.half - along.x);
+    const float nxy = -level.share * along.y;
+    const float nyy = level.share * (1.0F - along.half + along.x);
+    const float pull_x = nxx * nearest.off_x + nxy * nearest.off_y;
+    const float pull_y = nxy * nearest.off_x + nyy * nearest.off_y;
+    // A turn moves the point by (-dy, dx).
+    const auto dx = static_cast<float>(x), dy = static_cast<float>(y);
+    const float mx = dx * nxy - dy * nxx, my = dx * nyy - dy * nxy;
+    gx -= pull_x;
+    gy -= pull_y;
+    gt -= dx * pull_y - dy * pull_x;
+    xx += nxx;
+    xy += nxy;
+    yy += nyy;
+    xt += mx;
+    yt += my;
+    tt += dx * my - dy * mx;
+  }
+  Slope slope;
+  const auto times = static_cast<double>(every);
+  slope.sum = times * double{sum};
+  const double weight = times / (options_.sigma * options_.sigma);
+  slope.gradient = weight * Eigen::Vector3d(double{gx}, double{gy}, double{gt});
+  slope.information << double{xx}, double{xy}, double{xt},  //
+      double{xy}, double{yy}, double{yt},                   //
+      double{xt}, double{yt}, double{tt};
+  slope.information *= weight;
+  return slope;
+}
+
+LocalPosterior SurfaceLikelihood::local_posterior(const Pose2& start, const ScanForWeighting& scan,
+                                                  const SurfaceMap& map,
+                                                  const PosePrior& prior) const {
+  LocalPosterior result{.mode = start};
+  Eigen::Matrix3d information = prior.information;
+  double sum = 0.0;  // of the hits at the mode
+  bool converged = false;
+  for (int i = 0; i < kIterations && !converged; ++i) {
+    const bool coarse = i == 0 && scan.hits.size() >= kManyHits;
+    const Slope slope = slope_of_hits(scan.hits, coarse ? kCoarse : 1, map, result.mode);
+    Eigen::Matrix3d map_from_mode = Eigen::Matrix3d::Identity();  // of small steps
+    const double c = std::cos(result.mode.theta), s = std::sin(result.mode.theta);
+    map_from_mode.topLeftCorner<2, 2>() << c, -s, s, c;
+    const Pose2 off = motion_between(prior.mean, result.mode);
+    const Eigen::Vector3d pull = map_from_mode.transpose() * slope.gradient;
+    const Eigen::Matrix3d of_scan = map_from_mode.transpose() * slope.information * map_from_mode;
+    information = prior.information + options_.proposal_weight * of_scan;
+    information.diagonal().array() += 1e-6;
+    const Eigen::Vector3d step =
+        information.ldlt().solve(options_.proposal_weight * pull -
+                                 prior.information * Eigen::Vector3d(off.x, off.y, off.theta));
+    result.mode = result.mode * Pose2{step.x(), step.y(), normalized_angle(step.z())};
+    sum = slope.sum + step.dot(pull) - 0.5 * step.dot(of_scan * step);
+    converged = !coarse && step.cwiseAbs().maxCoeff() < kConverged;
+  }
+  if (!converged) sum = sum_of_hits(scan.hits, map, result.mode);
+  result.covariance = information.inverse();
+  result.log_evidence =
+      options_.beam_weight * (sum + sum_of_free(scan.free, map, result.mode)) +
+      options_.beam_weight / options_.proposal_weight *
+          (prior.log_at(result.mode) + 0.5 * std::log(result.covariance.determinant()));
+  return result;
+}
+
+}  // namespace mapbed

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "algorithms/field/surface_map.h"
+#include "algorithms/motion/pose_prior.h"
+#include "algorithms/scan/hit_points.h"
+#include "core/config/option.h"
+#include "core/sensor/laser_scan.h"
+
+namespace mapbed {
+
+struct SurfaceLikelihoodOptions {
+  double sigma = 0.08;      // [m] of an end point about the mapped surface
+  double hit_share = 0.85;  // of beams that the map explains
+  // The beams of a scan share errors (of the map, of the model), so the logarithm of their product
+  // counts with this share.
+  double beam_weight = 0.1;
+  // The same where a particle is drawn from the scan's posterior. Drawn as widely as above, single
+  // particles stray farther than scan matching does, and the right path is not among a hundred.
+  double proposal_weight = 1.0;
+  double free_before_end = 0.2;   // [m] before the end of a maximum-range beam a cell must be free
+  double no_return_range = 20.0;  // [m] of longer lasers a missing return says nothing
+};
+
+template <class Visitor>
+void visit_fields(SurfaceLikelihoodOptions& o, Visitor&& visit) {
+  visit("sigma", o.sigma, Unit::meter, kPositive, "spread of end points about the mapped surface");
+  visit("hit_share", o.hit_share, between(0.01, 0.999), "share of beams that the map explains");
+  visit("beam_weight", o.beam_weight, between(0.001, 1.0),
+        "share with which a beam counts, as beams err alike");
+  visit("proposal_weight", o.proposal_weight, between(0.001, 1.0),
+        "the same where a particle's pose is drawn from the scan's posterior");
+  visit("free_before_end", o.free_before_end, Unit::meter, kNotNegative,
+        "before the end of a maximum-range beam the cell is free");
+  visit("no_return_range", o.no_return_range, Unit::meter, kNotNegative,
+        "of lasers that reach farther a missing return says nothing");
+}
+
+// What of a scan weights a particle, in the robot frame [m].
+struct ScanForWeighting {
+  std::vector<Eigen::Vector2d> hits;
+  std::vector<Eigen::Vector2d> free;  // shortly before the ends of maximum-range beams
+  std::vector<SurfacePoint> surface;  // what enters the map
+};
+ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions& points,
+                                    const SurfaceLikelihoodOptions& options, double map_resolution);
+
+// The optimum of ln p(z | x, m) + ln p(x) near a start, by Gauss-Newton, and the Gaussian about it.
+struct LocalPosterior {
+  Pose2 mode;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of (x, y, theta) in the mode's frame
+  double log_evidence = 0.0;  // ln of the integral of p(z | x, m) p(x), up to a constant
+};
+
+// ln p(z | x, m) by end points: of each, by its distance d to the mapped surface next to it,
+//
+//   ln(w exp(-d^2 / (2 sigma^2)) + 1 - w),   w = hit_share,
+//
+// and of each maximum-range beam ln(1 - w) where the map has something shortly before its end.
+class SurfaceLikelihood {
+ public:
+  explicit SurfaceLikelihood(const SurfaceLikelihoodOptions& options = {});
+
+  // Times beam_weight; 0 where all lies on the map.
+  double log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
+                        const Pose2& map_from_robot) const;
+
+  // 1: all end points lie on the map, 0: none does; by their mean log-likelihood. 0 without any.
+  double explained_share(const ScanForWeighting& scan, const SurfaceMap& map,
+                         const Pose2& map_from_robot) const;
+
+  LocalPosterior local_posterior(const Pose2& start, const ScanForWeighting& scan,
+                                 const SurfaceMap& map, const PosePrior& prior) const;
+
+ private:
+  struct Level {
+    float log;    // of the mixture
+    float share;  // of the Gaussian in it
+  };
+  Level level_at(float squared_distance) const;
+  // The same sum without the weight, and how it changes about the pose: its slope and minus its
+  // curvature (Gauss-Newton's) with steps of (x, y, theta), x and y along the axes of the map.
+  struct Slope {
+    double sum = 0.0;
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  };
+  // By every so many hits, each for as many.
+  Slope slope_of_hits(const std::vector<Eigen::Vector2d>& hits, std::size_t every,
+                      const SurfaceMap& map, const Pose2& map_from_robot) const;
+  double sum_of_hits(const std::vector<Eigen::Vector2d>& hits, const SurfaceMap& map,
+                     const Pose2& map_from_robot) const;
+  double sum_of_free(const std::vector<Eigen::Vector2d>& free, const SurfaceMap& map,
+                     const Pose2& map_from_robot) const;
+
+  SurfaceLikelihoodOptions options_;
+  double floor_;               // ln(1 - w)
+  float levels_per_square_;    // squared distance [m^2] -> index into levels_
+  std::vector<Level> levels_;  // by squared distance, linear in between
+};
+
+}  // namespace mapbed

@@ -1,0 +1,111 @@
+#include "algorithms/localization/relocalization.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+namespace {
+
+// Of the log-likelihood of a point, where it is half a cell off in both directions and sigma is a
+// cell: (0.5^2 + 0.5^2) / 2.
+constexpr double kLatticeLoss = 0.25;
+
+std::vector<Eigen::Vector2d> spread_evenly(const std::vector<Eigen::Vector2d>& points,
+                                           std::size_t at_most) {
+  if (points.size() <= at_most) return points;
+  std::vector<Eigen::Vector2d> result;
+  for (std::size_t i = 0; i < at_most; ++i) result.push_back(points[i * points.size() / at_most]);
+  return result;
+}
+
+LikelihoodField field_of(const std::vector<SurfacePoint>& map,
+                         const LikelihoodFieldOptions& options) {
+  SurfaceMeans means(options.resolution);
+  means.add(map);
+  LikelihoodField field(options);
+  field.add(means.means());
+  return field;
+}
+
+}  // namespace
+
+PlaceSearch::PlaceSearch(const std::vector<SurfacePoint>& map, const std::vector<Pose2>& path,
+                         const RelocalizationOptions& options)
+    : options_(options),
+      rival_margin_(std::log(options.min_odds) / options.beam_weight),
+      field_(field_of(map, options.field)) {
+  CHECK(!path.empty() && options.beam_weight > 0.0);
+  Eigen::Vector2d low = path.front().position(), high = low;
+  for (const Pose2& pose : path) {
+    low = low.cwiseMin(pose.position());
+    high = high.cwiseMax(pose.position());
+  }
+  const Eigen::Vector2d centre = 0.5 * (low + high);
+  centre_ = {centre.x(), centre.y(), 0.0};
+  window_ = 0.5 * (high - low).maxCoeff() + options.beyond_path;
+  pyramid_ = make_bound_pyramid(field_, window_);
+}
+
+bool PlaceSearch::is_same_place(const Pose2& a, const Pose2& b) const {
+  return distance(a, b) <= options_.rival_distance &&
+         std::abs(angle_difference(a.theta, b.theta)) <= options_.rival_turn;
+}
+
+std::optional<Pose2> PlaceSearch::matched_at(const Pose2& place,
+                                             const std::vector<Eigen::Vector2d>& points) const {
+  const ScanMatch match =
+      match_scan_from(place, to_field_points(points, field_.resolution()), field_, {.mean = place});
+  if (match.explained < options_.min_explained) return {};
+  return match.map_from_robot;
+}
+
+PlaceSearch::Answer PlaceSearch::find(const std::vector<Eigen::Vector2d>& points,
+                                      const Pose2& here) const {
+  if (points.empty()) return {};
+  const FieldPoints in_cells = to_field_points(
+      spread_evenly(points, static_cast<std::size_t>(options_.max_points)), field_.resolution());
+  const auto count = static_cast<double>(in_cells.size());
+  const PosePrior anywhere{.mean = centre_};
+  const CorrelativeMatcherOptions lattice{.window = window_, .turn_window = kPi};
+  // The lattice misses an optimum by half a cell and half a turn step, which moves a point by up
+  // to half a cell each way.
+  const double lattice_loss = kLatticeLoss * count;
+  const auto max_blocks = static_cast<std::size_t>(options_.max_blocks);
+
+  const ScanMatch stayed = match_scan(in_cells, field_, {.mean = here});
+  Answer answer{.is_here = stayed.explained >= options_.min_explained,
+                .elsewhere = {},
+                .fits_here = stayed.trustworthy};
+  // What explains too little, or is not clearly better than to stay, is not looked at.
+  const double least = (1.0 - options_.min_explained) * double{field_.floor()} * count;
+  const double worth = answer.is_here ? stayed.log_likelihood + rival_margin_ : least;
+  const LimitedSearch found =
+      best_match_within(in_cells, field_, pyramid_, anywhere, lattice,
+                        {.above = worth - lattice_loss, .max_blocks = max_blocks});
+  if (!found.match || !found.complete) return answer;
+  const ScanMatch best = match_scan_from(found.match->map_from_robot, in_cells, field_, anywhere);
+  if (best.log_likelihood < worth) return answer;
+  answer.is_here = is_same_place(best.map_from_robot, here);
+  if (answer.is_here) return answer;
+
+  const double near_best = best.log_likelihood - rival_margin_;
+  const LimitedSearch rival = best_match_within(in_cells, field_, pyramid_, anywhere, lattice,
+                                                {.above = near_best - lattice_loss,
+                                                 .enough = near_best,
+                                                 .away_from = best.map_from_robot,
+                                                 .distance = options_.rival_distance,
+                                                 .turn = options_.rival_turn,
+                                                 .max_blocks = max_blocks});
+  const bool rivalled =
+      !rival.complete ||
+      (rival.match &&
+       match_scan_from(rival.match->map_from_robot, in_cells, field_, anywhere).log_likelihood >=
+           near_best);
+  if (!rivalled) answer.elsewhere = best.map_from_robot;
+  return answer;
+}
+
+}  // namespace mapbed

@@ -1,0 +1,186 @@
+#include "algorithms/motion/motion_learning.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "core/check.h"
+#include "core/data_path.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kLeastSpread = 1e-4;         // [m] or [rad]
+constexpr double kInside95 = 7.814727903;     // chi-squared with 3 degrees of freedom
+constexpr double kLogTwoPi = 1.837877066409;  // ln(2 pi)
+
+// The spreads as logarithms.
+using Parameters = std::array<double, 6>;
+
+Parameters parameters_of(const MotionModelOptions& m) {
+  Parameters p{m.turn_noise,   m.turn_per_meter, m.way_per_meter,
+               m.way_per_turn, m.floor_turn,     m.floor_way};
+  for (double& spread : p) spread = std::log(std::max(spread, kLeastSpread));
+  return p;
+}
+
+MotionModelOptions model_of(const Parameters& p, const MotionModelOptions& biases) {
+  return {.turn_noise = std::exp(p[0]),
+          .turn_per_meter = std::exp(p[1]),
+          .way_per_meter = std::exp(p[2]),
+          .way_per_turn = std::exp(p[3]),
+          .floor_turn = std::exp(p[4]),
+          .floor_way = std::exp(p[5]),
+          .turn_bias = biases.turn_bias,
+          .way_bias = biases.way_bias};
+}
+
+bool is_allowed(const Parameters& p) {
+  return std::all_of(p.begin(), p.end(), [](double spread) {
+    return spread >= std::log(kLeastSpread) && spread <= std::log(2.0);
+  });
+}
+
+// Of actual = (1 - bias) measured, where the measured one has noise besides. Multiplied by the
+// actual one, with which the noise has nothing to do: a regression on the measured one would take
+// noise for bias.
+double bias_of(double actual_squared, double actual_by_measured) {
+  if (actual_by_measured <= 0.0) return 0.0;
+  return std::clamp(1.0 - actual_squared / actual_by_measured, -0.5, 0.5);
+}
+
+// Of turns and ways.
+MotionModelOptions biases_of(const std::vector<MotionSample>& samples) {
+  double turns = 0.0, turns_measured = 0.0, ways = 0.0, ways_measured = 0.0;
+  for (const MotionSample& sample : samples) {
+    const double way = decomposed(sample.reference).way;
+    turns += sample.reference.theta * sample.reference.theta;
+    turns_measured += sample.reference.theta * sample.measured.theta;
+    ways += way * way;
+    ways_measured += way * decomposed(sample.measured).way;
+  }
+  return {.turn_bias = bias_of(turns, turns_measured), .way_bias = bias_of(ways, ways_measured)};
+}
+
+Eigen::Vector3d vector_of(const Pose2& pose) {
+  return {pose.x, pose.y, pose.theta};
+}
+
+// e^T P e of a sample.
+double squared_error(const MotionSample& sample, const PosePrior& prior) {
+  const Eigen::Vector3d error = vector_of(motion_between(prior.mean, sample.reference));
+  return error.dot(prior.information * error);
+}
+
+Settings settings_of_model(const std::string& name_or_path) {
+  return load_settings(
+      find_data_file("motion model", "algorithms/rbpf/motion_models", name_or_path).string());
+}
+
+// The same, but a wrong name is told with its place.
+Settings model_settings_named_by(const Setting& setting) {
+  try {
+    return settings_of_model(setting.text);
+  } catch (const InputError& error) {
+    if (setting.place.file.empty()) throw;
+    throw InputError(setting.place, error.what());
+  }
+}
+
+}  // namespace
+
+double mean_log_likelihood(const std::vector<MotionSample>& samples,
+                           const MotionModelOptions& model) {
+  CHECK(!samples.empty());
+  double sum = 0.0;
+  for (const MotionSample& sample : samples) {
+    const PosePrior prior = gaussian_after({}, sample.measured, model);
+    sum += 0.5 * std::log(prior.information.determinant()) - 1.5 * kLogTwoPi -
+           0.5 * squared_error(sample, prior);
+  }
+  return sum / static_cast<double>(samples.size());
+}
+
+MotionModelOptions learned_motion_model(const std::vector<MotionSample>& samples,
+                                        const MotionModelOptions& start) {
+  const MotionModelOptions biases = biases_of(samples);
+  Parameters best = parameters_of(start);
+  double best_value = mean_log_likelihood(samples, model_of(best, biases));
+  // A spread changes by a factor of e^step.
+  for (double step = 1.0; step >= 0.01;) {
+    const double before = best_value;
+    for (std::size_t i = 0; i < best.size(); ++i) {
+      for (const double side : {-1.0, 1.0}) {
+        Parameters tried = best;
+        tried[i] += side * step;
+        if (!is_allowed(tried)) continue;
+        const double value = mean_log_likelihood(samples, model_of(tried, biases));
+        if (value <= best_value) continue;
+        best = tried;
+        best_value = value;
+      }
+    }
+    if (best_value - before < 1e-7) step /= 2;
+  }
+  return model_of(best, biases);
+}
+
+Calibration calibration_of(const std::vector<MotionSample>& samples,
+                           const MotionModelOptions& model) {
+  CHECK(!samples.empty());
+  double sum = 0.0;
+  int inside = 0;
+  for (const MotionSample& sample : samples) {
+    const double squared = squared_error(sample, gaussian_after({}, sample.measured, model));
+    sum += squared / 3.0;
+    inside += squared <= kInside95 ? 1 : 0;
+  }
+  const auto count = static_cast<double>(samples.size());
+  return {sum / count, inside / count};
+}
+
+double error_memory_of(const std::vector<MotionSample>& samples, const MotionModelOptions& model) {
+  CHECK(samples.size() >= 2);
+  double squares = 0.0, products = 0.0;
+  Eigen::Vector3d before = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const PosePrior prior = gaussian_after({}, samples[i].measured, model);
+    const Eigen::Vector3d error = vector_of(motion_between(prior.mean, samples[i].reference));
+    // P = L L^T: the components of L^T e are independent and of unit variance.
+    const Eigen::Vector3d whitened = prior.information.llt().matrixU() * error;
+    if (i > 0) {
+      products += whitened.dot(before);
+      squares += 0.5 * (whitened.squaredNorm() + before.squaredNorm());
+    }
+    before = whitened;
+  }
+  return squares > 0.0 ? products / squares : 0.0;
+}
+
+MotionModelOptions load_motion_model(const std::string& name_or_path) {
+  MotionModelOptions model;
+  apply(settings_of_model(name_or_path), options_of(model), "motion model");
+  return model;
+}
+
+Settings with_learned_models(const Settings& settings) {
+  Settings result;
+  for (const Setting& setting : settings) {
+    const bool is_model = setting.path == "odometry_errors" || setting.path == "matching_errors";
+    const bool is_name = is_model && !setting.text.empty() && setting.text.front() != '{';
+    if (!is_name) {
+      result.push_back(setting);
+      continue;
+    }
+    for (Setting parameter : model_settings_named_by(setting)) {
+      parameter.path = setting.path + "." + parameter.path;
+      result.push_back(std::move(parameter));
+    }
+  }
+  return result;
+}
+
+}  // namespace mapbed

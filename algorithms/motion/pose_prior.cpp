@@ -1,0 +1,22 @@
+#include "algorithms/motion/pose_prior.h"
+
+#include "core/check.h"
+
+namespace mapbed {
+
+double PosePrior::log_at(const Pose2& x) const {
+  const Pose2 error = motion_between(mean, x);
+  const Eigen::Vector3d e(error.x, error.y, error.theta);
+  return -0.5 * e.dot(information * e);
+}
+
+PosePrior independent_prior(const Pose2& mean, double sigma_forward, double sigma_left,
+                            double sigma_turn) {
+  CHECK(sigma_forward > 0.0 && sigma_left > 0.0 && sigma_turn > 0.0);
+  PosePrior prior{.mean = mean};
+  prior.information.diagonal() << 1.0 / (sigma_forward * sigma_forward),
+      1.0 / (sigma_left * sigma_left), 1.0 / (sigma_turn * sigma_turn);
+  return prior;
+}
+
+}  // namespace mapbed

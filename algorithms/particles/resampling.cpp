@@ -1,0 +1,50 @@
+#include "algorithms/particles/resampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+
+namespace mapbed {
+
+std::vector<double> normalized(const std::vector<double>& log_weights) {
+  CHECK(!log_weights.empty());
+  const double largest = *std::max_element(log_weights.begin(), log_weights.end());
+  if (!std::isfinite(largest)) {
+    return std::vector<double>(log_weights.size(), 1.0 / static_cast<double>(log_weights.size()));
+  }
+  std::vector<double> weights;
+  weights.reserve(log_weights.size());
+  double sum = 0.0;
+  for (const double log_weight : log_weights) {
+    weights.push_back(std::exp(log_weight - largest));
+    sum += weights.back();
+  }
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+double effective_number(const std::vector<double>& weights) {
+  double squares = 0.0;
+  for (const double weight : weights) squares += weight * weight;
+  return 1.0 / squares;
+}
+
+std::vector<std::size_t> resampled(const std::vector<double>& weights, Rng& rng) {
+  CHECK(!weights.empty());
+  const std::size_t n = weights.size();
+  const double step = 1.0 / static_cast<double>(n);
+  const double first = step * rng.uniform();
+  std::vector<std::size_t> parents;
+  parents.reserve(n);
+  std::size_t parent = 0;
+  double sum = weights[0];
+  for (std::size_t i = 0; i < n; ++i) {
+    const double at = first + static_cast<double>(i) * step;
+    while (at > sum && parent + 1 < n) sum += weights[++parent];
+    parents.push_back(parent);
+  }
+  return parents;
+}
+
+}  // namespace mapbed

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "algorithms/field/local_map.h"
+#include "core/config/option.h"
+#include "core/sensor/laser_scan.h"
+
+namespace mapbed {
+
+struct HitPointOptions {
+  double max_range = 30.0;  // [m] farther hits are left out: wide footprint, coarse angle
+  double min_spacing =
+      0.05;              // [m] between neighbouring points; evens out how densely walls are hit
+  int max_points = 180;  // spread evenly over the scan
+};
+
+template <class Visitor>
+void visit_fields(HitPointOptions& o, Visitor&& visit) {
+  visit("max_range", o.max_range, Unit::meter, kNotNegative, "farther hits are left out");
+  visit("min_spacing", o.min_spacing, Unit::meter, kNotNegative,
+        "between neighbouring points of a scan");
+  visit("max_points", o.max_points, at_least(1),
+        "points of a scan at most, spread evenly; fewer is faster");
+}
+
+// Where the beams of a scan ended, in the robot frame [m]. Maximum-range and failed beams have no
+// end.
+std::vector<Eigen::Vector2d> hit_points(const LaserScan& scan, const HitPointOptions& options);
+
+// All of them nearer than max_range.
+std::vector<Eigen::Vector2d> all_hit_points(const LaserScan& scan, double max_range);
+
+// The surface that the scan saw, for building maps: all hits nearer than max_range, and between
+// neighbouring ones points every `spacing` [m], where they are not more than max_gap [m] apart or
+// lie on one straight wall, seen at a grazing angle. Each knows the line through the hits about it,
+// as far as they follow each other without a larger gap.
+std::vector<SurfacePoint> surface_points(const LaserScan& scan, double max_range, double max_gap,
+                                         double spacing);
+
+std::vector<Eigen::Vector2d> transformed(const std::vector<Eigen::Vector2d>& points_in_b,
+                                         const Pose2& a_from_b);
+
+}  // namespace mapbed

@@ -1,0 +1,148 @@
+#include "bench/cli/map_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "algorithms/grid/map_file.h"
+#include "algorithms/grid/map_image.h"
+#include "bench/plot/map_picture.h"
+#include "bench/process/process_cost.h"
+#include "bench/process/version.h"
+#include "core/file/atomic_file.h"
+#include "core/geometry/tum_file.h"
+#include "core/image/png.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+int count_scans(const SensorLog& log) {
+  return static_cast<int>(std::count_if(log.begin(), log.end(), [](const Measurement& m) {
+    return std::holds_alternative<LaserScan>(m);
+  }));
+}
+
+// How many of the log's measurements the estimator has taken in.
+std::size_t feed(Estimator& estimator, const SensorLog& log, MapCost& cost,
+                 const std::function<bool(std::size_t, std::size_t)>& may_go_on) {
+  const Clock::time_point start = Clock::now();
+  std::size_t done = 0;
+  while (done < log.size()) {
+    const Clock::time_point before = Clock::now();
+    estimator.add(log[done]);
+    cost.longest_scan = std::max(cost.longest_scan, seconds_since(before));
+    if (!may_go_on(++done, log.size())) break;
+  }
+  cost.estimating = seconds_since(start);
+  return done;
+}
+
+std::string cost_csv(const MapCost& cost) {
+  return fmt::format(
+      "scans,recorded_s,estimating_s,longest_scan_s,mapping_s,peak_memory_bytes\n"
+      "{},{:.6f},{:.6f},{:.6f},{:.6f},{:.0f}\n",
+      cost.scans, cost.seconds_recorded, cost.estimating, cost.longest_scan, cost.mapping,
+      peak_memory());
+}
+
+std::string summary_json(const std::string& log_name, const RecordedLog& log, const MapRun& run) {
+  const CellBox box = known_box(run.map);
+  nlohmann::ordered_json json{
+      {"log", log_name},
+      {"format", log.format},
+      {"method", run.config.method},
+      {"seed", run.config.seed},
+      {"complete", run.complete()},
+      {"scans_in_log", run.scans_in_log},
+      {"scans_used", run.estimate.trajectory.size()},
+      {"untrusted_scans", run.estimate.untrusted_scans},
+      {"recorded_s", run.cost.seconds_recorded},
+      {"path_length_m", path_length(run.estimate.trajectory)},
+      {"resolution_m", run.map.resolution()},
+      {"map_width_m", box.empty() ? 0.0 : box.width() * run.map.resolution()},
+      {"map_height_m", box.empty() ? 0.0 : box.height() * run.map.resolution()},
+      {"remarks", run.estimate.remarks},
+      {"warnings", nlohmann::ordered_json::array()},
+      {"mapbed", version().program},
+      {"revision", version().revision},
+  };
+  for (const LogWarning& warning : log.warnings) json["warnings"].push_back(to_string(warning));
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+// A map too large to be written is refused before the work is done, as far as the first scan tells,
+// and before its memory is taken.
+void check_size_of_first_scan(const SensorLog& log, const MapOptions& options) {
+  for (const Measurement& measurement : log) {
+    const auto* scan = std::get_if<LaserScan>(&measurement);
+    if (scan == nullptr) continue;
+    const CellBox box = box_of_beams({*scan}, {{scan->time, {}}}, options);
+    return check_image_size(box, options.resolution, "the map of the first scan alone");
+  }
+}
+
+OccupancyMap map_of(const SensorLog& log, const Trajectory& trajectory, const MapOptions& options) {
+  check_image_size(box_of_beams(log, trajectory, options), options.resolution);
+  return build_map(log, trajectory, options);
+}
+
+}  // namespace
+
+MapRun make_map(const RecordedLog& log, const MapConfig& config,
+                const std::function<bool(std::size_t done, std::size_t total)>& may_go_on) {
+  check_size_of_first_scan(log.measurements, config.map);
+  const Method& method = method_by_name(config.method);
+  const auto estimator =
+      method.make(config.method_settings, Rng(config.seed).stream(config.method));
+  MapCost cost;
+  const std::size_t taken = feed(*estimator, log.measurements, cost, may_go_on);
+  Estimate estimate = estimator->estimate();
+
+  const Clock::time_point start = Clock::now();
+  const auto part_of_log = [&] {
+    const auto end = log.measurements.begin() + static_cast<std::ptrdiff_t>(taken);
+    return SensorLog(log.measurements.begin(), end);
+  };
+  const bool whole = taken == log.measurements.size();
+  OccupancyMap map = whole ? map_of(log.measurements, estimate.trajectory, config.map)
+                           : map_of(part_of_log(), estimate.trajectory, config.map);
+  cost.mapping = seconds_since(start);
+  cost.scans = static_cast<int>(estimate.trajectory.size());
+  if (cost.scans > 0) {
+    cost.seconds_recorded = estimate.trajectory.back().time - estimate.trajectory.front().time;
+  }
+  return {config, std::move(estimate), std::move(map), count_scans(log.measurements), cost};
+}
+
+void write_map_run(const std::string& folder, const std::string& log_name, const RecordedLog& log,
+                   const MapRun& run) {
+  if (known_box(run.map).empty()) {
+    throw InputError({log_name},
+                     "no beam of any scan counts, so there is no map: the laser sees nothing, or "
+                     "all beams are longer than the usable range",
+                     "raise map.beams.usable_range, or take another log; nothing was written");
+  }
+  const auto in_folder = [&](const char* name) {
+    return (std::filesystem::path(folder) / name).string();
+  };
+  write_trajectory(in_folder("trajectory.tum"), run.estimate.trajectory);
+  write_map(in_folder("map"), run.map);
+  write_png(in_folder("map.png"), to_image(run.map));
+  write_png(in_folder("picture.png"),
+            picture_of(run.map, {{run.config.method, run.estimate.trajectory}}));
+  write_file(in_folder("config.yaml"), to_yaml(run.config));
+  write_file(in_folder("cost.csv"), cost_csv(run.cost));
+  write_file(in_folder("summary.json"), summary_json(log_name, log, run));
+}
+
+}  // namespace mapbed

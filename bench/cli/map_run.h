@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "algorithms/estimator.h"
+#include "algorithms/grid/occupancy_map.h"
+#include "bench/cli/map_config.h"
+#include "core/log/log_file.h"
+
+namespace mapbed {
+
+// What the machine needed; in no other result, for it differs from run to run.
+struct MapCost {
+  double estimating = 0.0;        // [s] all measurements through the method
+  double mapping = 0.0;           // [s] the map of the poses
+  double longest_scan = 0.0;      // [s] of a single scan
+  double seconds_recorded = 0.0;  // [s] from the first to the last scan that was taken in
+  int scans = 0;
+};
+
+// A log turned into a map.
+struct MapRun {
+  MapConfig config;
+  Estimate estimate;
+  OccupancyMap map;
+  int scans_in_log = 0;  // more than poses in the estimate: it was interrupted
+  MapCost cost;
+
+  bool complete() const { return static_cast<int>(estimate.trajectory.size()) == scans_in_log; }
+};
+
+// `may_go_on(done, total)` is asked after each measurement; false ends the run with what it has.
+MapRun make_map(const RecordedLog& log, const MapConfig& config,
+                const std::function<bool(std::size_t done, std::size_t total)>& may_go_on);
+
+// The folder's files, each complete or not at all:
+//
+//   trajectory.tum      a pose for each scan, by the log's own absolute stamps
+//   map.pgm, map.yaml   for map servers; map.png the same picture
+//   picture.png         for people: trajectory, scale bar, legend
+//   config.yaml         complete; `mapbed map LOG --config` of it repeats the run
+//   cost.csv            time and memory
+//   summary.json        the rest in numbers; written last
+//
+// Throws InputError where one cannot be written.
+void write_map_run(const std::string& folder, const std::string& log_name, const RecordedLog& log,
+                   const MapRun& run);
+
+}  // namespace mapbed

@@ -1,0 +1,73 @@
+#include "bench/pages/html.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "bench/pages/page_files.h"
+#include "bench/plot/axis.h"
+#include "bench/plot/svg_text.h"
+#include "core/check.h"
+#include "core/file/csv_file.h"
+
+namespace mapbed {
+
+std::string html_of(const HtmlPage& page) {
+  std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+  text += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+  text += "<link rel=\"icon\" href=\"data:,\">\n";  // else a browser looks for one
+  text += "<title>" + xml_escaped(page.title) + "</title>\n<style>\n";
+  text += page_style();
+  text += "</style>\n</head>\n<body>\n" + page.body + "<script>\n";
+  text += page_script();
+  if (page.with_replay) text += replay_script();
+  return text + "</script>\n</body>\n</html>\n";
+}
+
+HtmlCell text_cell(const std::string& text) {
+  return {xml_escaped(text)};
+}
+
+HtmlCell number_cell(double value, int digits) {
+  if (std::isnan(value)) return {"\u2013", "", true};
+  const std::string exact = csv_number(value);
+  return {fmt::format("<span title=\"{}\">{}</span>", exact, number_text(value, digits)), exact,
+          true};
+}
+
+std::string html_of(const HtmlTable& table) {
+  constexpr std::size_t kShort = 24;  // [bytes]
+  std::string text = "<div class=\"wide\"><table class=\"sortable\">\n<thead><tr>";
+  for (std::size_t i = 0; i < table.head.size(); ++i) {
+    const bool number = !table.rows.empty() && table.rows.front()[i].is_number;
+    text += fmt::format("<th{}><button type=\"button\">{}</button></th>",
+                        number ? " class=\"number\"" : "", xml_escaped(table.head[i]));
+  }
+  text += "</tr></thead>\n<tbody>\n";
+  for (const std::vector<HtmlCell>& row : table.rows) {
+    CHECK(row.size() == table.head.size());
+    text += "<tr>";
+    for (const HtmlCell& cell : row) {
+      // What is short stays on one line; the table scrolls.
+      const char* style = cell.is_number               ? " class=\"number\""
+                          : cell.html.size() <= kShort ? " class=\"short\""
+                                                       : "";
+      const std::string sort_by =
+          cell.is_number ? fmt::format(" data-value=\"{}\"", cell.sort_by) : "";
+      text += fmt::format("<td{}{}>{}</td>", style, sort_by, cell.html);
+    }
+    text += "</tr>\n";
+  }
+  return text + "</tbody>\n</table></div>\n";
+}
+
+std::string folded(const std::string& summary, const std::string& html) {
+  return fmt::format("<details>\n<summary>{}</summary>\n{}</details>\n", xml_escaped(summary),
+                     html);
+}
+
+std::string preformatted(const std::string& text) {
+  return "<pre>" + xml_escaped(text) + "</pre>\n";
+}
+
+}  // namespace mapbed

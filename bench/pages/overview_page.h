@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/results/result_folder.h"
+
+namespace mapbed {
+
+// All results of a folder on one page: what was asked, which claims held, the figures.
+std::string overview_page(const std::vector<ResultFolder>& results);
+
+// The same for people who read the folder where Markdown is shown.
+std::string overview_markdown(const std::vector<ResultFolder>& results);
+
+// Of a folder of results: its page. Of a folder that holds such folders: the page of each, and
+// the overview as report.html and README.md. Gives the pages written. Throws InputError where there
+// are no results.
+std::vector<std::string> write_reports(const std::string& folder);
+
+}  // namespace mapbed

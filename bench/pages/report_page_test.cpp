@@ -1,0 +1,119 @@
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "bench/pages/html.h"
+#include "bench/pages/overview_page.h"
+#include "bench/pages/scenario_page.h"
+#include "bench/pages/testing/example_results.h"
+#include "core/file/text_file.h"
+#include "core/testing/temporary_folder.h"
+#include "core/testing/throws_input_error.h"
+
+namespace mapbed {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+class ReportPage : public ::testing::Test {
+ protected:
+  ReportPage() { make_example_results(folder_.file("example")); }
+  std::string page() const { return scenario_page(load_result_folder(folder_.file("example"))); }
+  TemporaryFolder folder_;
+};
+
+TEST_F(ReportPage, ShowsQuestionClaimsAndThesisSideBySide) {
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr("<h1>Does &lt;b&gt; &amp; a question pass through?</h1>"));
+  EXPECT_THAT(html, HasSubstr("Figure 3.10"));
+  EXPECT_THAT(html, HasSubstr("1 of 2 claims held"));
+  EXPECT_THAT(html, HasSubstr("<li>1 not judged</li>"));
+  EXPECT_THAT(html, HasSubstr("0.1 against 0.3</td><td data-name=\"Thesis\">fewer at every level"));
+}
+
+TEST_F(ReportPage, CountsFailedRunsAndSaysWhyTheyFailed) {
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr("1 of 2 runs failed"));
+  EXPECT_THAT(html, HasSubstr("lost &lt;/script&gt;, at 3 s"));
+}
+
+TEST_F(ReportPage, ShowsAnglesInDegreesAndTheExactValueAsToolTip) {
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr(">28.65</span>")) << "0.5 rad";
+  EXPECT_THAT(html, HasSubstr("<td class=\"short\">deg</td>"));
+  EXPECT_THAT(html, HasSubstr("<span title=\"0.125\">0.125</span>"));
+  EXPECT_THAT(html, HasSubstr("0.4 to 0.6"));
+}
+
+TEST_F(ReportPage, NeedsNothingFromElsewhere) {
+  const std::string html = page();
+  EXPECT_THAT(html, Not(HasSubstr("src=\"http")));
+  EXPECT_THAT(html, Not(HasSubstr("@import")));
+  EXPECT_EQ(count(html, "<script"), 2u) << "the page's and the replay's data";
+  EXPECT_EQ(count(html, "</script>"), 2u) << "and no text ends one";
+  EXPECT_EQ(count(html, "<figure>"), 3u);
+  EXPECT_EQ(count(html, "<canvas"), 1u);
+}
+
+TEST_F(ReportPage, SaysInWordsWhatAMapIsOf) {
+  std::filesystem::rename(folder_.file("example/maps/on.png"),
+                          folder_.file("example/maps/map_level_1_filter_on.png"));
+  EXPECT_THAT(page(), HasSubstr("<figcaption>map, rotation sigma 16 deg, filter on</figcaption>"));
+}
+
+TEST_F(ReportPage, ShowsTheScenariosPlotsFirstAndThenSingleRunsAsPeopleSort) {
+  const std::string folder = folder_.file("example");
+  for (const char* name : {"after_130_s", "after_90_s", "success"}) {
+    write_text_file(folder + "/figures/" + name + ".svg", "<svg/>");
+  }
+  write_text_file(folder + "/config.yaml",
+                  "scenario:\n  plots:\n    - {file: success}\n    - {file: error}\n");
+  std::vector<std::string> names;
+  for (const NamedFile& figure : load_result_folder(folder).figures) names.push_back(figure.name);
+  EXPECT_THAT(names, ElementsAre("success.svg", "error.svg", "after_90_s.svg", "after_130_s.svg",
+                                 "heat.svg"));
+}
+
+TEST_F(ReportPage, ComesWithoutTheReplayPlayerWhereThereIsNoReplay) {
+  std::filesystem::remove_all(folder_.file("example/replays"));
+  EXPECT_THAT(page(), Not(HasSubstr("canvas.getContext")));
+}
+
+TEST_F(ReportPage, OfAllResultsLinksThePageOfEach) {
+  EXPECT_THAT(write_reports(folder_.file("")),
+              ElementsAre(folder_.file("example/report.html"), folder_.file("report.html"),
+                          folder_.file("README.md")));
+  EXPECT_THAT(read_text_file(folder_.file("report.html")),
+              HasSubstr("href=\"example/report.html\""));
+  const std::string markdown = read_text_file(folder_.file("README.md"));
+  EXPECT_THAT(markdown, HasSubstr("| [example](example/) | Does \\<b\\> & a question pass through? "
+                                  "| Figure 3.10 | 1 of 2 | 1 of 2 |"));
+  EXPECT_THAT(markdown, HasSubstr("![error.svg](example/figures/error.svg)"));
+}
+
+TEST_F(ReportPage, TheSameResultsAreTheSamePage) {
+  EXPECT_EQ(page(), page());
+}
+
+TEST_F(ReportPage, RefusesFoldersWithoutResultsAndDamagedFiles) {
+  EXPECT_INPUT_ERROR(write_reports(folder_.file("nowhere")), "there is no such folder");
+  EXPECT_INPUT_ERROR(write_reports(folder_.file("example/maps")), "holds no results");
+  EXPECT_INPUT_ERROR(load_result_folder(folder_.file("")), "make one with 'mapbed run SCENARIO'");
+  write_text_file(folder_.file("example/replays/bad.json"), "[1,");
+  EXPECT_INPUT_ERROR(page(), "bad.json");
+  write_text_file(folder_.file("example/summary.csv"), "a,b\n1\n");
+  EXPECT_INPUT_ERROR(load_result_folder(folder_.file("example")), "summary.csv:2");
+}
+
+}  // namespace
+}  // namespace mapbed

@@ -1,0 +1,81 @@
+#include "bench/plot/map_picture.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+
+namespace mapbed {
+namespace {
+
+// 100 x 40 cells of 10 cm, free, with a wall along the lower edge and one unknown corner.
+OccupancyMap hall() {
+  OccupancyMap map(0.1);
+  for (int x = 0; x < 100; ++x) {
+    for (int y = 0; y < 40; ++y) map.at({x, y}) = known(y == 0 ? 1.0 : 0.0);
+  }
+  map.at({99, 39}) = Occupancy{};
+  return map;
+}
+
+constexpr int kMargin = 24;  // the map's place in the picture
+constexpr int kZoom = 12;    // pixels per cell of so small a map
+
+TEST(MapPicture, ShowsYUpwardsAndUnknownAsNeitherFreeNorOccupied) {
+  const RgbImage image = picture_of(hall(), {});
+  const auto cell = [&](int x, int y) {
+    return image.at(kMargin + x * kZoom + kZoom / 2, kMargin + (39 - y) * kZoom + kZoom / 2);
+  };
+  EXPECT_EQ(cell(50, 0), kBlack);
+  EXPECT_EQ(cell(50, 1), kWhite);
+  EXPECT_NE(cell(99, 39), kBlack);
+  EXPECT_NE(cell(99, 39), kWhite);
+}
+
+TEST(MapPicture, DrawsThePathWhereTheRobotWas) {
+  const Trajectory path{{0.0, {1.05, 2.05, 0}}, {1.0, {9.05, 2.05, 0}}};
+  const RgbImage with = picture_of(hall(), {{"estimate", path}});
+  const RgbImage without = picture_of(hall(), {});
+  const int row = kMargin + (39 - 20) * kZoom + kZoom / 2;
+  const auto column = [](double meters) {
+    return kMargin + static_cast<int>(meters / 0.1 * kZoom);
+  };
+  EXPECT_NE(with.at(column(5.0), row), without.at(column(5.0), row));
+  EXPECT_NE(with.at(column(1.05), row), without.at(column(1.05), row));
+  EXPECT_EQ(with.at(column(9.5), row), without.at(column(9.5), row));
+  EXPECT_EQ(with.at(column(5.0), row - 5), without.at(column(5.0), row - 5));
+}
+
+TEST(MapPicture, StaysSmallHoweverLargeTheMapAndKeepsThinWalls) {
+  OccupancyMap map(0.05);
+  for (int x = 0; x < 20000; ++x) map.at({x, 0}) = known(1.0);
+  for (int x = 0; x < 20000; ++x) map.at({x, 30}) = known(0.0);
+  const RgbImage image = picture_of(map, {}, {.longest_side = 500});
+  EXPECT_LE(image.width(), 500 + 2 * kMargin);
+  EXPECT_EQ(image.at(kMargin + 250, kMargin), kBlack) << "mean 0.5, maximum 1";
+}
+
+TEST(MapPicture, LeavesOutTheFarEndOfABeamThatWentOutOfAWindow) {
+  OccupancyMap map = hall();
+  for (int x = 100; x < 130; ++x) map.at({x, 20}) = known(0.0);
+  const RgbImage image = picture_of(map, {});
+  EXPECT_EQ(image.width(), picture_of(hall(), {}).width() + 5 * kZoom) << "0.5 m of it stay";
+}
+
+TEST(MapPicture, ShowsTheEndOfACorridorAndWhereverThePathWent) {
+  OccupancyMap map = hall();
+  for (int x = 100; x < 130; ++x) {
+    for (int y = 10; y < 20; ++y) map.at({x, y}) = known(0.0);
+  }
+  EXPECT_EQ(picture_of(map, {}).width(), picture_of(hall(), {}).width() + 30 * kZoom);
+  const Trajectory path{{0.0, {1.05, 2.05, 0}}, {1.0, {11.05, 2.05, 0}}};
+  EXPECT_EQ(picture_of(hall(), {{"estimate", path}}).width(),
+            picture_of(hall(), {}).width() + 11 * kZoom);
+}
+
+TEST(MapPicture, OfAnEmptyMapIsAPictureAllTheSame) {
+  const RgbImage image = picture_of(OccupancyMap(0.05), {});
+  EXPECT_GT(image.width(), 0);
+}
+
+}  // namespace
+}  // namespace mapbed

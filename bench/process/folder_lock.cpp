@@ -1,0 +1,48 @@
+#include "bench/process/folder_lock.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+// The file may have been removed, with its lock, between opening and locking it.
+bool is_still_there(int file, const std::string& path) {
+  struct stat opened {};
+  struct stat named {};
+  return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino;
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const std::string& folder) : path_(folder + "/.lock") {
+  for (;;) {
+    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (file_ < 0) {
+      throw InputError({path_}, std::string("cannot be written: ") + std::strerror(errno),
+                       "choose another folder with --out");
+    }
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+      close(file_);
+      throw InputError({folder}, "another run is at work in this folder",
+                       "wait for it to end, or choose another folder with --out");
+    }
+    if (is_still_there(file_, path_)) return;
+    close(file_);
+  }
+}
+
+FolderLock::~FolderLock() {
+  unlink(path_.c_str());
+  close(file_);
+}
+
+}  // namespace mapbed

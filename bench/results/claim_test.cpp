@@ -1,0 +1,126 @@
+#include "bench/results/claim.h"
+
+#include <gmock/gmock.h>
+
+#include "bench/results/summary.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// Variants a and b, levels 1, 2 and 3 of an axis x, seeds as many as values.
+Results results_of(const std::vector<std::vector<double>>& a,
+                   const std::vector<std::vector<double>>& b) {
+  Results results;
+  results.axes = {{"x", {"1", "2", "3"}, {1, 2, 3}, ""}};
+  results.levels = {{{0}}, {{1}}, {{2}}};
+  results.variants = {"a", "b"};
+  results.metrics = {{"error", Unit::meter, ""}};
+  for (std::size_t level = 0; level < 3; ++level) {
+    for (std::size_t seed = 0; seed < a[level].size(); ++seed) {
+      for (int variant = 0; variant < 2; ++variant) {
+        RunRow row{.level = static_cast<int>(level), .variant = variant, .seed = seed};
+        row.values = {variant == 0 ? a[level][seed] : b[level][seed]};
+        results.runs.push_back(row);
+      }
+    }
+  }
+  results.summary = summarise(results);
+  return results;
+}
+
+ClaimResult judged(const std::string& yaml, const Results& results) {
+  const Claim claim = claim_of(parse_config(yaml, {"x.yaml", 1}));
+  check_claim(claim, results);
+  return judge(claim, results);
+}
+
+TEST(Claim, HoldsWhereItDoesAtEveryLevel) {
+  const Results results = results_of({{1, 2}, {1, 1}, {2, 2}}, {{3, 3}, {2, 2}, {2, 2}});
+  EXPECT_TRUE(judged("{metric: error, of: a, at_most: b}", results).held);
+  EXPECT_FALSE(judged("{metric: error, of: a, below: b}", results).held);
+  EXPECT_TRUE(judged("{metric: error, of: a, below: b, at: {x: 1}}", results).held);
+  EXPECT_FALSE(judged("{metric: error, of: a, at_most: b, times: 0.6}", results).held);
+  EXPECT_TRUE(judged("{metric: error, of: a, at_most: 2 m}", results).held);
+  EXPECT_FALSE(judged("{metric: error, of: a, at_most: 199 cm, statistic: max}", results).held);
+}
+
+TEST(Claim, TellsTheWorstLevel) {
+  const Results results = results_of({{1}, {2}, {5}}, {{2}, {3}, {4}});
+  const ClaimResult result = judged("{metric: error, of: a, at_most: b}", results);
+  EXPECT_EQ(result.measured, "worst at x = 3: 5 m against 4 m; 2 of 3 hold");
+  EXPECT_EQ(result.claim, "error of 'a' is at most that of 'b', at every level");
+}
+
+TEST(Claim, ARunWithoutAValueSpeaksAgainstIt) {
+  const Results results = results_of({{1, kNone}, {1, 1}, {1, 1}}, {{2, 2}, {2, 2}, {2, 2}});
+  const ClaimResult result = judged("{metric: error, of: a, at_most: 9 m}", results);
+  EXPECT_FALSE(result.held);
+  EXPECT_THAT(result.measured, ::testing::HasSubstr("1 runs without a value"));
+}
+
+TEST(Claim, IsNotJudgedWhereTheQuickRunHasNoSuchLevel) {
+  Results results = results_of({{1}, {1}, {1}}, {{2}, {2}, {2}});
+  results.quick = true;
+  const ClaimResult result = judged("{metric: error, below: 9 m, at: {x: 7}}", results);
+  EXPECT_FALSE(result.judged);
+  EXPECT_FALSE(result.held);
+}
+
+TEST(Claim, IsNotJudgedWhereTheQuickRunIsTooShortForAValue) {
+  Results results = results_of({{1}, {1}, {kNone}}, {{2}, {2}, {2}});
+  EXPECT_TRUE(judged("{metric: error, of: a, below: 9 m}", results).judged);
+  results.quick = true;
+  const ClaimResult result = judged("{metric: error, of: a, below: b}", results);
+  EXPECT_FALSE(result.judged);
+  EXPECT_FALSE(result.held);
+  EXPECT_THAT(result.measured, ::testing::HasSubstr("2 of 3 hold, 1 without a value"));
+  // Where it fails, it does so whatever the rest would say.
+  const ClaimResult fails = judged("{metric: error, of: a, above: b}", results);
+  EXPECT_TRUE(fails.judged);
+  EXPECT_FALSE(fails.held);
+}
+
+TEST(Claim, AFailedRunCountsInAQuickRunToo) {
+  Results results = results_of({{1}, {1}, {kNone}}, {{2}, {2}, {2}});
+  results.quick = true;
+  results.runs[4].failure = "no match";  // of a, at the third level
+  results.summary = summarise(results);
+  const ClaimResult result = judged("{metric: error, of: a, below: b}", results);
+  EXPECT_TRUE(result.judged);
+  EXPECT_FALSE(result.held);
+}
+
+TEST(Claim, SkippedRunsSayNothing) {
+  Results results = results_of({{1}, {1}, {}}, {{2}, {2}, {}});
+  const ClaimResult result = judged("{metric: error, of: a, below: b, test: sign}", results);
+  EXPECT_FALSE(result.judged);
+  EXPECT_FALSE(judged("{metric: error, of: a, above: b, at: {x: 1}}", results).held);
+  EXPECT_TRUE(judged("{metric: error, of: a, below: b, at: {x: 1}}", results).held);
+}
+
+TEST(Claim, TheUpperHalfBeginsInTheMiddle) {
+  const Results results = results_of({{9}, {1}, {1}}, {{2}, {2}, {2}});
+  EXPECT_TRUE(judged("{metric: error, of: a, below: b, at: upper half}", results).held);
+}
+
+TEST(Claim, ASignTestNeedsEnoughPairs) {
+  const std::vector<double> low(6, 1.0);
+  const std::vector<double> high(6, 2.0);
+  EXPECT_TRUE(judged("{metric: error, of: a, below: b, test: sign}",
+                     results_of({low, low, low}, {high, high, high}))
+                  .held);
+  EXPECT_FALSE(judged("{metric: error, of: a, below: b, test: sign, at: {x: 1}}",
+                      results_of({{1, 1}, {1, 1}, {1, 1}}, {{2, 2}, {2, 2}, {2, 2}}))
+                   .held);  // 1/4
+}
+
+TEST(Claim, SignTestProbabilitiesAreThoseOfFairCoins) {
+  EXPECT_NEAR(sign_test_probability(5, 0), 1.0 / 32.0, 1e-12);
+  EXPECT_NEAR(sign_test_probability(4, 1), 6.0 / 32.0, 1e-12);
+  EXPECT_NEAR(sign_test_probability(0, 5), 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace mapbed

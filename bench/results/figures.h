@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "bench/plot/heat_map.h"
+#include "bench/plot/plot.h"
+#include "bench/results/results.h"
+
+namespace mapbed {
+
+// One of a scenario's plots, from its summary (lines, bars) or its runs (points). Lines and bars
+// show means with their 95 % intervals; failed runs are counted in the subtitle. Angles are shown
+// in degrees.
+Plot figure_of(const Results& results, const PlotSpec& spec);
+
+// The same of a plot of that kind: means as colours.
+HeatMap heat_map_of(const Results& results, const PlotSpec& spec);
+
+// Writes each of Results::plots as <folder>/figures/<file>.svg with its numbers as <file>.csv; no
+// heat map of a reduced run that has fewer than two levels along one side.
+void write_figures(const std::string& folder, const Results& results);
+
+}  // namespace mapbed

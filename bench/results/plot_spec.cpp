@@ -1,0 +1,176 @@
+#include "bench/results/plot_spec.h"
+
+#include <algorithm>
+
+#include "bench/results/flow_text.h"
+#include "core/config/quantity.h"
+#include "core/config/suggestion.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+const std::vector<std::string> kKinds{"lines", "bars", "points", "heat_map"};
+
+using Names = std::vector<std::string>;
+
+Names axes_of(const Results& plan) {
+  Names names;
+  for (const SweepAxis& axis : plan.axes) names.push_back(axis.path);
+  return names;
+}
+
+Names metrics_of(const Results& plan) {
+  Names names;
+  for (const Metric& metric : plan.metrics) names.push_back(metric.name);
+  return names;
+}
+
+void check_name(const PlotSpec& plot, const std::string& name, const Names& known,
+                const std::string& what) {
+  if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
+  throw InputError(plot.place,
+                   "the plot '" + plot.file + "' shows '" + name + "', which is " + what,
+                   suggestion(name, known));
+}
+
+// A quick run may lack some of the values.
+void check_levels(const PlotSpec& plot, const Results& plan) {
+  for (const auto& [path, values] : plot.at) {
+    check_name(plot, path, axes_of(plan), "not swept here");
+    if (plan.quick) continue;
+    const auto axis = std::find_if(plan.axes.begin(), plan.axes.end(),
+                                   [&path = path](const SweepAxis& a) { return a.path == path; });
+    for (const std::string& value : values) {
+      check_name(plot, value, axis->texts, "no value of '" + path + "'");
+    }
+  }
+}
+
+// Colours need numbers along both sides, and one value for each pair.
+void check_heat_map(const PlotSpec& plot, const Results& plan) {
+  for (const std::string& path : {plot.x, plot.y}) {
+    check_name(plot, path, axes_of(plan), "not swept here");
+    const auto axis = std::find_if(plan.axes.begin(), plan.axes.end(),
+                                   [&](const SweepAxis& a) { return a.path == path; });
+    if (!axis->numbers.empty()) continue;
+    throw InputError(plot.place,
+                     "the values of " + in_quotes(path) + " are not all numbers of one unit",
+                     "a heat map needs such along both sides");
+  }
+  check_name(plot, plot.value, metrics_of(plan), "not measured here");
+  const std::size_t variants = plot.variants.empty() ? plan.variants.size() : plot.variants.size();
+  const auto fixed = std::count_if(plot.at.begin(), plot.at.end(),
+                                   [](const auto& at) { return at.second.size() == 1; });
+  const auto open = static_cast<std::ptrdiff_t>(plan.axes.size()) - fixed;
+  if (plot.x == plot.y || open != 2 || variants != 1) {
+    throw InputError(plot.place, "the heat map '" + plot.file + "' has no one value for each place",
+                     "it shows one variant ('variants: [" + plan.variants.front() +
+                         "]') over two axes, all that are swept but for those with 'at'");
+  }
+}
+
+}  // namespace
+
+PlotSpec plot_of(const ConfigNode& node) {
+  PlotSpec plot;
+  plot.place = node.place();
+  const auto read = [&node](const char* key, std::string& text) {
+    if (const ConfigNode* found = node.find(key)) text = found->text();
+  };
+  read("x", plot.x);
+  if (plot.x.empty()) plot.kind = PlotKind::bars;
+  if (const ConfigNode* kind = node.find("kind")) {
+    plot.kind = static_cast<PlotKind>(kind->choice(kKinds));
+  }
+  const bool is_heat_map = plot.kind == PlotKind::heat_map;
+  if (is_heat_map) {
+    plot.x = node.at("x").text();
+    plot.value = node.at("value").text();
+  }
+  plot.y = node.at("y").text();
+  plot.file = is_heat_map ? plot.value : plot.y;
+  read("file", plot.file);
+  read("title", plot.title);
+  read("lines_by", plot.lines_by);
+  read("x_label", plot.x_label);
+  read("y_label", plot.y_label);
+  read("value_label", plot.value_label);
+  read("thesis", plot.thesis);
+  if (const ConfigNode* variants = node.find("variants")) plot.variants = variants->texts();
+  if (const ConfigNode* at = node.find("at")) {
+    for (const std::string& path : at->keys()) {
+      const ConfigNode& values = at->at(path);
+      const bool is_list = values.kind() == ConfigNode::Kind::list;
+      plot.at.emplace_back(path, is_list ? values.texts() : Names{values.text()});
+    }
+  }
+  if (const ConfigNode* references = node.find("references")) {
+    for (const std::string& name : references->keys()) {
+      plot.references.push_back({name, references->at(name).text()});
+    }
+  }
+  if (const ConfigNode* log_x = node.find("log_x")) plot.log_x = log_x->flag();
+  if (const ConfigNode* log_y = node.find("log_y")) plot.log_y = log_y->flag();
+  if (plot.file.find_first_of("/\\ ") != std::string::npos) {
+    throw InputError(node.place(), in_quotes(plot.file) + " is no name for a picture",
+                     "use letters, digits and '_'");
+  }
+  return plot;
+}
+
+std::string plot_text(const PlotSpec& plot) {
+  std::vector<std::pair<std::string, std::string>> references;
+  for (const PlotReference& reference : plot.references) {
+    references.emplace_back(flow_scalar(reference.name), flow_scalar(reference.value));
+  }
+  std::vector<std::pair<std::string, std::string>> at;
+  for (const auto& [path, values] : plot.at) at.emplace_back(path, flow_list(values));
+  return flow_map({{"file", flow_scalar(plot.file)},
+                   {"title", flow_scalar(plot.title)},
+                   {"kind", kKinds[static_cast<std::size_t>(plot.kind)]},
+                   {"x", flow_scalar(plot.x)},
+                   {"y", flow_scalar(plot.y)},
+                   {"value", flow_scalar(plot.value)},
+                   {"lines_by", flow_scalar(plot.lines_by)},
+                   {"variants", plot.variants.empty() ? "" : flow_list(plot.variants)},
+                   {"at", at.empty() ? "" : flow_map(at)},
+                   {"references", references.empty() ? "" : flow_map(references)},
+                   {"log_x", plot.log_x ? "true" : "false"},
+                   {"log_y", plot.log_y ? "true" : "false"},
+                   {"x_label", flow_scalar(plot.x_label)},
+                   {"y_label", flow_scalar(plot.y_label)},
+                   {"value_label", flow_scalar(plot.value_label)},
+                   {"thesis", flow_scalar(plot.thesis)}});
+}
+
+void check_plot(const PlotSpec& plot, const Results& plan) {
+  for (const std::string& variant : plot.variants) {
+    check_name(plot, variant, plan.variants, "not compared here");
+  }
+  check_levels(plot, plan);
+  if (plot.kind == PlotKind::heat_map) {
+    check_heat_map(plot, plan);
+    return;
+  }
+  const Names axes = axes_of(plan);
+  const Names metrics = metrics_of(plan);
+  Names for_x = axes;
+  for_x.insert(for_x.end(), metrics.begin(), metrics.end());
+  check_name(plot, plot.y, metrics, "not measured here");
+  check_name(plot, plot.x, for_x, "neither measured nor swept here");
+  check_name(plot, plot.lines_by, axes, "not swept here");
+  if (!plot.lines_by.empty() && plot.lines_by == plot.x) {
+    throw InputError(
+        plot.place,
+        "the plot '" + plot.file + "' has " + in_quotes(plot.x) + " along x and as lines",
+        "leave lines_by out");
+  }
+  const auto metric = std::find(metrics.begin(), metrics.end(), plot.y) - metrics.begin();
+  const Unit unit = plan.metrics[static_cast<std::size_t>(metric)].unit;
+  for (const PlotReference& reference : plot.references) {
+    (void)parse_quantity(reference.value, unit, plot.place);
+  }
+}
+
+}  // namespace mapbed

@@ -1,0 +1,65 @@
+#include "bench/results/plot_spec.h"
+
+#include <gmock/gmock.h>
+
+#include "core/testing/throws_input_error.h"
+
+namespace mapbed {
+namespace {
+
+// Hits and misses are swept, two models compared.
+Results cells() {
+  Results plan;
+  plan.axes = {{"hits", {"0", "1"}, {0, 1}, ""}, {"world", {"a", "b"}, {}, ""}};
+  plan.variants = {"counting", "odds"};
+  plan.metrics = {{"distance", Unit::meter, ""}};
+  return plan;
+}
+
+PlotSpec read(const std::string& yaml) {
+  return plot_of(parse_config(yaml, {"x.yaml", 7}));
+}
+
+TEST(PlotSpec, IsWrittenAsItIsRead) {
+  for (const char* yaml : {"{y: distance}", "{x: hits, y: distance, log_y: true, variants: [odds]}",
+                           "{x: hits, y: distance, title: 'a, b: c', references: {'of 2009': 2 m}}",
+                           "{kind: heat_map, x: hits, y: misses, value: distance, file: map}",
+                           "{y: distance, at: {hits: 1, world: [a, b]}}"}) {
+    const std::string text = plot_text(read(yaml));
+    EXPECT_EQ(plot_text(read(text)), text);
+  }
+  const PlotSpec plot = read(plot_text(read("{y: distance, references: {'of 2009': 2 m}}")));
+  ASSERT_EQ(plot.references.size(), 1u);
+  EXPECT_EQ(plot.references[0].name, "of 2009");
+  EXPECT_EQ(plot.references[0].value, "2 m");
+}
+
+TEST(PlotSpec, NamesOnlyWhatTheScenarioHas) {
+  const auto check = [](const std::string& yaml) { check_plot(read(yaml), cells()); };
+  check("{x: hits, y: distance, references: {published: 20 cm}}");
+  EXPECT_INPUT_ERROR(check("{x: hitz, y: distance}"), "x.yaml:7: the plot 'distance' shows 'hitz'");
+  EXPECT_INPUT_ERROR(check("{x: hits, y: distence}"), "did you mean 'distance'?");
+  EXPECT_INPUT_ERROR(check("{y: distance, variants: [odd]}"), "did you mean 'odds'?");
+  EXPECT_INPUT_ERROR(check("{y: distance, references: {published: 20 deg}}"), "x.yaml:7");
+  EXPECT_INPUT_ERROR(check("{y: distance, at: {hits: 2}}"), "no value of 'hits'");
+  EXPECT_INPUT_ERROR(check("{y: distance, at: {hit: 1}}"), "did you mean 'hits'?");
+  EXPECT_INPUT_ERROR(read("{y: distance, file: a/b}"), "is no name for a picture");
+}
+
+TEST(PlotSpec, OfAHeatMapHasTwoAxesOfNumbersAndOneVariant) {
+  const auto check = [](const std::string& yaml, const Results& plan) {
+    check_plot(read(yaml), plan);
+  };
+  Results plan = cells();
+  const std::string head = "{kind: heat_map, value: distance, x: hits, ";
+  EXPECT_INPUT_ERROR(check(head + "y: world, variants: [odds]}", plan),
+                     "the values of 'world' are not all numbers of one unit");
+  plan.axes[1] = {"misses", {"0", "2"}, {0, 2}, ""};
+  check(head + "y: misses, variants: [odds]}", plan);
+  EXPECT_INPUT_ERROR(check(head + "y: misses}", plan), "it shows one variant");
+  EXPECT_INPUT_ERROR(check(head + "y: hits, variants: [odds]}", plan), "over two axes");
+  EXPECT_INPUT_ERROR(read("{kind: heat_map, x: hits, y: misses}"), "value");
+}
+
+}  // namespace
+}  // namespace mapbed

@@ -1,0 +1,183 @@
+#include "bench/sources/simulate.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "core/config/config_node.h"
+#include "core/file/text_file.h"
+#include "core/geometry/tum_file.h"
+#include "core/image/pnm.h"
+#include "core/log/dialects/carmen_log.h"
+#include "sim/relations.h"
+#include "worlds/geometry/raster.h"
+#include "worlds/worlds.h"
+
+namespace mapbed {
+namespace {
+
+// Everything about a simulation that can be set, but the world's own options.
+struct Options {
+  Robot& robot;
+  SimulationOptions simulation;
+  ScriptedDriverOptions driver;
+  RecorderOptions recorder;
+};
+
+template <class Visitor>
+void visit_fields(Options& o, Visitor&& visit) {
+  visit("robot", o.robot, "what drives");
+  visit("simulation", o.simulation, "how the world goes on");
+  visit("driver", o.driver, "how it is driven");
+  visit("recorder", o.recorder, "what is recorded");
+}
+
+// Divides settings by what they begin with: "world.seed" is the world's "seed".
+Settings settings_of_world(const Settings& all) {
+  Settings result;
+  for (Setting setting : all) {
+    if (!setting.path.starts_with("world.")) continue;
+    setting.path = setting.path.substr(6);
+    result.push_back(setting);
+  }
+  return result;
+}
+
+Settings settings_of_others(const Settings& all) {
+  Settings result;
+  for (const Setting& setting : all) {
+    if (!setting.path.starts_with("world.")) result.push_back(setting);
+  }
+  return result;
+}
+
+// All of them, indented; a world file has none.
+std::string world_options(const std::string& world, const Settings& settings) {
+  std::string text;
+  for (const WorldKind& kind : world_kinds()) {
+    if (kind.name != world) continue;
+    std::istringstream lines(kind.complete_yaml(settings));
+    for (std::string line; std::getline(lines, line);) text += "  " + line + "\n";
+  }
+  return text;
+}
+
+// A driver who is told measurements reacts to their noise, which then belongs to the recording.
+Robot without_noise(Robot robot, const RecorderOptions& recorder) {
+  if (recorder.tells_driver) return robot;
+  const OdometryModel given = robot.odometry;
+  robot.odometry = {};
+  robot.odometry.rate = given.rate;
+  for (MountedLaser& laser : robot.lasers) laser.model.noise = {};
+  return robot;
+}
+
+// "dir/name.log.gz" -> "dir/name"
+std::string stem_of(std::string path) {
+  for (const char* ending : {".gz", ".log", ".clf"}) {
+    if (path.ends_with(ending)) path.resize(path.size() - std::string(ending).size());
+  }
+  return path;
+}
+
+void write_true_map(const std::string& stem, const SimulationResult& result) {
+  RasterOptions options;
+  if (!result.robot.lasers.empty()) options.height = result.robot.lasers.front().height;
+  const TrueMap map = raster(result.world, options);
+  GrayImage image(map.width, map.height, 205);  // as map_server draws the unknown
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      const TrueCell cell = map.at(x, y);
+      if (cell == TrueCell::free) image.at(x, map.height - 1 - y) = 254;
+      if (cell == TrueCell::occupied) image.at(x, map.height - 1 - y) = 0;
+    }
+  }
+  write_pgm(stem + "_map.pgm", image);
+  const std::string file = stem.substr(stem.find_last_of('/') + 1);
+  write_text_file(stem + "_map.yaml",
+                  fmt::format("image: {}_map.pgm\nresolution: {}\norigin: [{}, {}, 0]\nnegate: 0\n"
+                              "occupied_thresh: 0.65\nfree_thresh: 0.196\n",
+                              file, map.resolution, map.origin.x(), map.origin.y()));
+}
+
+}  // namespace
+
+PreparedSimulation prepare_simulation(const SimulationPlan& plan) {
+  PreparedSimulation prepared{.plan = plan};
+  prepared.world = build_world(plan.world, settings_of_world(plan.settings));
+  prepared.robot = load_robot(plan.robot);
+  Options options{.robot = prepared.robot, .simulation = {}, .driver = {}, .recorder = {}};
+  if (plan.people >= 0) {
+    options.simulation.people =
+        with_people(options.simulation.people, prepared.world.crowd, plan.people);
+  }
+  apply(settings_of_others(plan.settings), options_of(options), "the simulation");
+  if (prepared.world.paths.empty()) {
+    throw InputError("world '" + plan.world + "' has no path to drive; add one to its paths");
+  }
+  if (prepared.robot.lasers.empty()) {
+    throw InputError("robot '" + plan.robot + "' has no laser; add one to its lasers");
+  }
+  prepared.path =
+      plan.path.empty() ? prepared.world.paths.front() : path_by_name(prepared.world, plan.path);
+  prepared.simulation = options.simulation;
+  prepared.driver = options.driver;
+  prepared.recorder = options.recorder;
+  const std::string names =
+      fmt::format("world: {}\npath: {}\nworld_options:\n{}", plan.world, prepared.path.name,
+                  world_options(plan.world, settings_of_world(plan.settings)));
+  prepared.config = names + to_yaml(options_of(options));
+  Robot noiseless = without_noise(prepared.robot, prepared.recorder);
+  Options rest{.robot = noiseless,
+               .simulation = options.simulation,
+               .driver = options.driver,
+               .recorder = options.recorder};
+  prepared.noiseless_config = names + to_yaml(options_of(rest));
+  return prepared;
+}
+
+Recording record(const PreparedSimulation& prepared) {
+  const Rng rng(prepared.plan.seed);
+  Simulation simulation(prepared.world, prepared.robot, start_of(prepared.path),
+                        prepared.simulation, rng);
+  ScriptedDriver driver(simulation, prepared.path, prepared.driver);
+  RecorderOptions options = prepared.recorder;
+  options.longest = std::min(options.longest, driver.longest_time());
+  return record(simulation, driver, options, rng);
+}
+
+Robot robot_with_noise(const SimulationPlan& plan) {
+  Robot robot = load_robot(plan.robot);
+  Options options{.robot = robot, .simulation = {}, .driver = {}, .recorder = {}};
+  apply(settings_of_others(plan.settings), options_of(options), "the simulation");
+  return robot;
+}
+
+SimulationResult run_simulation(const SimulationPlan& plan) {
+  PreparedSimulation prepared = prepare_simulation(plan);
+  SimulationResult result;
+  result.recording = record(prepared);
+  result.log = with_noise(result.recording, prepared.robot, Rng(plan.seed));
+  result.config = fmt::format("seed: {}\n", plan.seed) + prepared.config;
+  result.world = std::move(prepared.world);
+  result.robot = std::move(prepared.robot);
+  return result;
+}
+
+void write_simulation(const std::string& log_path, const SimulationResult& result) {
+  const Trajectory truth = trajectory_of(result.recording.truth);
+  RecordedLog log;
+  log.format = "CARMEN";
+  log.measurements = result.log;
+  log.true_poses = truth;
+  write_carmen_log(log_path, log);
+  const std::string stem = stem_of(log_path);
+  write_truth(stem + ".truth.gz", result.recording.truth);
+  write_text_file(stem + ".relations", relations_text(truth));
+  write_trajectory(stem + ".tum", truth);
+  write_text_file(stem + ".config.yaml", result.config);
+  write_true_map(stem, result);
+}
+
+}  // namespace mapbed

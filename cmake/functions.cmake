@@ -1,0 +1,174 @@
+# The build's own functions: packages, warnings, libraries with their tests.
+
+# find_package with the Debian package in the error message. What is found here is named by
+# `mapbed --version` and found again by programs that use an installed mapbed.
+macro(mapbed_package name debian_package)
+  find_package(${name} ${ARGN} QUIET)
+  if(NOT ${name}_FOUND)
+    message(FATAL_ERROR "${name} not found; install it with: apt-get install ${debian_package}")
+  endif()
+  set_property(GLOBAL APPEND PROPERTY mapbed_packages ${name})
+  set(mapbed_version_of_${name} "${${name}_VERSION}")
+  if(NOT mapbed_version_of_${name})
+    set(mapbed_version_of_${name} "${${name}_VERSION_STRING}")
+  endif()
+  if(mapbed_version_of_${name})
+    set_property(GLOBAL APPEND PROPERTY mapbed_library_versions "${name} ${mapbed_version_of_${name}}")
+  endif()
+endmacro()
+
+# A library of headers alone, without a CMake package: makes the target name::name.
+function(mapbed_headers name header debian_package)
+  find_path(${name}_INCLUDE_DIR ${header})
+  if(NOT ${name}_INCLUDE_DIR)
+    message(FATAL_ERROR "${header} not found; install it with: apt-get install ${debian_package}")
+  endif()
+  add_library(${name}::${name} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(${name}::${name} SYSTEM INTERFACE ${${name}_INCLUDE_DIR})
+endfunction()
+
+# What only the tests need: neither in `mapbed --version` nor needed by installed libraries.
+macro(mapbed_test_package name debian_package)
+  find_package(${name} ${ARGN} QUIET)
+  if(NOT ${name}_FOUND)
+    message(FATAL_ERROR "${name} not found; install it with: apt-get install ${debian_package}")
+  endif()
+endmacro()
+
+add_library(mapbed_flags INTERFACE)
+# Contraction off and no -march=native: results must not depend on the processor.
+target_compile_options(mapbed_flags INTERFACE
+  -Wall -Wextra -Wconversion -Wshadow -Wno-missing-field-initializers -ffp-contract=off
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # g++ 12 sees -Wrestrict in std::string
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-string-conversion>  # CHECK(!"why")
+  $<$<BOOL:${MAPBED_WERROR}>:-Werror>)
+add_library(mapbed::flags ALIAS mapbed_flags)
+install(TARGETS mapbed_flags EXPORT mapbed)
+
+# One precompiled header for all tests: GoogleTest and Eigen cost most of a test file's compile time.
+if(MAPBED_TESTS)
+  add_library(mapbed_test_flags INTERFACE)
+  target_compile_options(mapbed_test_flags INTERFACE ${MAPBED_TEST_FLAGS})
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/test_pch.cpp CONTENT "")
+  add_library(mapbed_test_pch STATIC ${CMAKE_BINARY_DIR}/test_pch.cpp)
+  target_link_libraries(mapbed_test_pch PUBLIC
+    mapbed::flags mapbed_test_flags GTest::gtest GTest::gmock Eigen3::Eigen)
+  target_precompile_headers(mapbed_test_pch PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Dense>)
+endif()
+
+# The same for libraries, where they are compiled to be checked: off in release, where each source
+# shows that it includes what it needs, and where ccache does more.
+if(MAPBED_PRECOMPILE)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/library_pch.cpp CONTENT "")
+  add_library(mapbed_library_pch STATIC ${CMAKE_BINARY_DIR}/library_pch.cpp)
+  set_target_properties(mapbed_library_pch PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_link_libraries(mapbed_library_pch PUBLIC mapbed::flags Eigen3::Eigen fmt::fmt)
+  target_precompile_headers(mapbed_library_pch PRIVATE <algorithm> <cmath> <filesystem> <functional>
+    <map> <memory> <optional> <span> <string> <variant> <vector> <Eigen/Dense> <fmt/format.h>)
+endif()
+
+# All tests with the label unit. Each build has a folder of its own for temporary files, so that
+# the tests of two builds can run at a time.
+if(MAPBED_TESTS)
+  set(mapbed_test_environment "TMPDIR=${CMAKE_BINARY_DIR}/test_files")
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/test_files)
+  add_custom_target(mapbed_unit_tests)
+endif()
+
+# mapbed_library(core SOURCES a.cpp … TESTS a_test.cpp … TEST_LINKS … PUBLIC_LINKS … PRIVATE_LINKS …)
+# makes mapbed_core (alias mapbed::core) and, where tests are built, mapbed_core_tests.
+function(mapbed_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;TESTS;TEST_LINKS;PUBLIC_LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(mapbed_${name} STATIC ${ARG_SOURCES})
+  add_library(mapbed::${name} ALIAS mapbed_${name})
+  set_target_properties(mapbed_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(mapbed_${name} PUBLIC cxx_std_20)
+  target_include_directories(mapbed_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mapbed>)
+  target_link_libraries(mapbed_${name} PUBLIC ${ARG_PUBLIC_LINKS} PRIVATE mapbed::flags ${ARG_PRIVATE_LINKS})
+  if(MAPBED_PRECOMPILE)
+    target_precompile_headers(mapbed_${name} REUSE_FROM mapbed_library_pch)
+    # The header holds fmt, which must be found as it was precompiled by libraries without it too.
+    target_compile_definitions(mapbed_${name} PRIVATE
+      $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
+  endif()
+  install(TARGETS mapbed_${name} EXPORT mapbed)
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  install(DIRECTORY ./ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mapbed/${folder}
+    FILES_MATCHING PATTERN "*.h" PATTERN testing EXCLUDE PATTERN testdata EXCLUDE)
+  if(MAPBED_TESTS AND ARG_TESTS)
+    add_executable(mapbed_${name}_tests ${ARG_TESTS})
+    target_precompile_headers(mapbed_${name}_tests REUSE_FROM mapbed_test_pch)
+    target_link_libraries(mapbed_${name}_tests PRIVATE
+      mapbed::${name} mapbed::flags mapbed_test_flags
+      GTest::gtest GTest::gmock GTest::gmock_main ${ARG_TEST_LINKS})
+    target_compile_definitions(mapbed_${name}_tests PRIVATE MAPBED_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    include(GoogleTest)
+    add_dependencies(mapbed_unit_tests mapbed_${name}_tests)
+    gtest_discover_tests(mapbed_${name}_tests DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120
+      PROPERTIES LABELS unit ENVIRONMENT "${mapbed_test_environment}")
+  endif()
+endfunction()
+
+# What find_package(mapbed) reads; it looks for the same packages as this build did.
+function(mapbed_install_package)
+  include(CMakePackageConfigHelpers)
+  get_property(packages GLOBAL PROPERTY mapbed_packages)
+  list(REMOVE_DUPLICATES packages)
+  list(TRANSFORM packages REPLACE "(.+)" "find_dependency(\\1)")
+  list(JOIN packages "\n" find_dependencies)
+  set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/mapbed)
+  configure_package_config_file(cmake/mapbed-config.cmake.in ${CMAKE_BINARY_DIR}/mapbed-config.cmake
+    INSTALL_DESTINATION ${folder})
+  write_basic_package_version_file(${CMAKE_BINARY_DIR}/mapbed-config-version.cmake
+    COMPATIBILITY SameMinorVersion)
+  install(FILES ${CMAKE_BINARY_DIR}/mapbed-config.cmake ${CMAKE_BINARY_DIR}/mapbed-config-version.cmake
+    DESTINATION ${folder})
+  install(EXPORT mapbed NAMESPACE mapbed:: FILE mapbed-targets.cmake DESTINATION ${folder})
+endfunction()
+
+# mapbed_fuzz_target(settings_fuzz SOURCES settings_fuzz.cpp LINKS mapbed::core CORPUS testdata/fuzz_settings)
+# makes a libFuzzer program and a test (label fuzz) that starts from the files of CORPUS. Only in the
+# preset `fuzz`; a source of one defines LLVMFuzzerTestOneInput.
+function(mapbed_fuzz_target name)
+  if(NOT MAPBED_FUZZ)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "CORPUS" "SOURCES;LINKS" ${ARGN})
+  file(GLOB seeds ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_CORPUS}/*)
+  if(NOT seeds)
+    message(FATAL_ERROR "${name}: no seed files in ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_CORPUS}")
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/fuzz)
+  target_link_libraries(${name} PRIVATE mapbed::flags ${ARG_LINKS})
+  target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  set_property(GLOBAL APPEND PROPERTY mapbed_fuzz_targets
+    "${name}\;${CMAKE_CURRENT_SOURCE_DIR}/${ARG_CORPUS}")
+endfunction()
+
+# The tests of all fuzz targets; together they take MAPBED_FUZZ_SECONDS. New inputs are kept under
+# the build folder, those that fail in fuzz/failures-<name>-*.
+function(mapbed_fuzz_tests)
+  if(NOT MAPBED_FUZZ)
+    return()
+  endif()
+  add_custom_target(mapbed_fuzz)
+  get_property(targets GLOBAL PROPERTY mapbed_fuzz_targets)
+  list(LENGTH targets count)
+  if(count EQUAL 0)
+    return()
+  endif()
+  math(EXPR seconds "${MAPBED_FUZZ_SECONDS} / ${count}")
+  foreach(target IN LISTS targets)
+    list(GET target 0 name)
+    list(GET target 1 seeds)
+    add_dependencies(mapbed_fuzz ${name})
+    file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/fuzz/found-${name})
+    add_test(NAME fuzz.${name} COMMAND ${name} -max_total_time=${seconds} -timeout=30
+      -rss_limit_mb=1024 -max_len=16384 -print_final_stats=1
+      -artifact_prefix=${CMAKE_BINARY_DIR}/fuzz/failures-${name}-
+      ${CMAKE_BINARY_DIR}/fuzz/found-${name} ${seeds})
+    set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz RUN_SERIAL ON)
+  endforeach()
+endfunction()

@@ -1,0 +1,100 @@
+#include "core/log/dialects/coreslam_log.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/file/fields.h"
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+namespace {
+
+constexpr std::size_t kBeams = 682;
+constexpr double kStep = 2.0 * kPi / 1024.0;   // [rad]
+constexpr double kFirst = (44 - 384) * kStep;  // [rad]
+constexpr double kMaxRange = 5.6;              // [m]
+constexpr double kLeastRange = 0.020;          // [m]
+constexpr double kLaserAhead = 0.145;          // [m]
+
+class CoreslamReader : public LogReader {
+ public:
+  CoreslamReader(const std::string& name, const LogOptions& options)
+      : builder_(name, options), wheels_(options.wheels) {}
+
+  void add_line(std::string_view line, long number) override {
+    Fields fields(line);
+    values_.clear();
+    while (!fields.at_end()) values_.push_back(fields.word());
+    if (values_.empty() || values_[0][0] == '#') return;
+    const std::size_t before = values_.size() < kBeams ? 0 : values_.size() - kBeams;
+    if (before != 25 && before != 13)
+      return builder_.broken(number, "truncated or garbled CoreSLAM line: left out");
+
+    ok_ = true;
+    const double time = number_at(0) * 1e-6;
+    const bool recent = before == 25;
+    const double left = number_at(recent ? 2 : 1);
+    const double right = recent ? number_at(3) : -number_at(2);
+    LaserScan scan;
+    scan.time = time;
+    scan.robot_from_laser.x = kLaserAhead;
+    scan.first_bearing = kFirst;
+    scan.bearing_step = kStep;
+    scan.max_range = kMaxRange;
+    scan.ranges.reserve(kBeams);
+    for (std::size_t beam = 0; beam < kBeams; ++beam) {
+      const double range = number_at(before + beam) * 1e-3;
+      scan.ranges.push_back(range >= 0.0 && range < kLeastRange ? 0.0 : range);
+    }
+    if (!ok_) return builder_.broken(number, "truncated or garbled CoreSLAM line: left out");
+    builder_.add(Odometry{time, follow(left, right)}, number);
+    builder_.add(std::move(scan), number);
+  }
+
+  RecordedLog finish() override { return builder_.finish("CoreSLAM"); }
+
+ private:
+  double number_at(std::size_t field) {
+    const std::string_view word = values_[field];
+    double value = 0.0;
+    const char* const end = word.data() + word.size();
+    if (read_number(word.data(), end, value) != end) ok_ = false;
+    return value;
+  }
+
+  // Dead reckoning along an arc: half the turn, the chord's way, the other half.
+  Pose2 follow(double left, double right) {
+    if (ticks_) {
+      const double meters_per_tick = 2.0 * kPi * wheels_.wheel_radius / wheels_.ticks_per_turn;
+      const double left_way = meters_per_tick * (left - ticks_->first);
+      const double right_way =
+          meters_per_tick * wheels_.left_right_ratio * (right - ticks_->second);
+      const double turn = (right_way - left_way) / (2.0 * wheels_.half_track);
+      const double way = 0.5 * (left_way + right_way);
+      const double chord = std::abs(turn) < 1e-9 ? way : way * std::sin(turn / 2) / (turn / 2);
+      pose_ = pose_ *
+              Pose2{chord * std::cos(turn / 2), chord * std::sin(turn / 2), normalized_angle(turn)};
+    }
+    ticks_ = {left, right};
+    return pose_;
+  }
+
+  LogBuilder builder_;
+  WheelGeometry wheels_;
+  std::vector<std::string_view> values_;
+  bool ok_ = true;
+  std::optional<std::pair<double, double>> ticks_;
+  Pose2 pose_;
+};
+
+}  // namespace
+
+std::unique_ptr<LogReader> make_coreslam_reader(const std::string& name,
+                                                const LogOptions& options) {
+  return std::make_unique<CoreslamReader>(name, options);
+}
+
+}  // namespace mapbed

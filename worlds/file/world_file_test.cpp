@@ -1,0 +1,218 @@
+#include "worlds/file/world_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/image/pnm.h"
+#include "core/testing/temporary_folder.h"
+#include "core/testing/throws_input_error.h"
+#include "worlds/geometry/footprint.h"
+#include "worlds/geometry/raster.h"
+#include "worlds/worlds.h"
+
+namespace mapbed {
+namespace {
+
+class WorldFile : public ::testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.file(name)) << text;
+    return folder_.file(name);
+  }
+  World load(const std::string& text) const { return load_world(write("lab.yaml", text)); }
+
+  TemporaryFolder folder_;
+};
+
+const Entity& entity_named(const World& world, const std::string& name) {
+  for (const Entity& entity : world.entities) {
+    if (entity.name == name) return entity;
+  }
+  throw std::runtime_error("no entity " + name);
+}
+
+TEST_F(WorldFile, BuildsARoomFromNothing) {
+  const World world = load(R"(
+about: A room with a crate
+floor: {from: [0 m, 0 m], to: [8 m, 6 m], material: carpet}
+materials:
+  velvet: {like: fabric, reflectivity: 0.05, color: [0.4, 0.1, 0.1]}
+walls:
+  - {name: south, from: [0 m, 0 m], to: [8 m, 0 m], thickness: 20 cm,
+     openings: [{kind: door, at: 2 m, width: 0.9 m, open: true, opens_within: 1 m}]}
+shapes:
+  - {name: crate, box: [1 m, 0.5 m, 0.8 m], at: [3 m, 4 m], heading: 90 deg, material: velvet}
+  - {name: pole, cylinder: {radius: 5 cm, height: 2 m}, at: [5 m, 4 m, 1 m]}
+  - {name: stage, outline: [[6 m, 4 m], [6 m, 5 m], [7 m, 5 m]], height: 20 cm}
+paths:
+  across: {points: [[1 m, 2 m], [7 m, 2 m]], clearance: 0.4 m, speed: 0.5 m/s}
+crowd:
+  walkers: 2
+  routes: [{name: to and fro, points: [[1 m, 3 m], [7 m, 3 m]]}]
+  places: [{at: [4 m, 5 m], heading: 90 deg, radius: 0.5 m}]
+)");
+  EXPECT_EQ(world.name, "lab");
+  EXPECT_EQ(world.doors.size(), 1u);
+  EXPECT_TRUE(world.doors[0].starts_open);
+  const Entity& crate = entity_named(world, "crate");
+  const auto crate_foot = footprints(crate, 0, 0.0, 0.5);
+  EXPECT_NEAR(distance_to(crate_foot[0], {3.0, 5.0}), 0.5, 1e-9) << "turned: 1 m along y";
+  const Material& velvet = world.materials[static_cast<std::size_t>(crate.parts[0].material)];
+  EXPECT_EQ(velvet.reflectivity, 0.05);
+  EXPECT_EQ(velvet.permittivity, 1.5) << "as fabric";
+  EXPECT_TRUE(footprints(entity_named(world, "pole"), 0, 0.0, 1.0).empty()) << "hangs at 1 m";
+  const NamedPath& path = path_by_name(world, "across");
+  EXPECT_EQ(path.points[1].speed, 0.5);
+  EXPECT_EQ(world.crowd.routes[0].points.size(), 2u);
+}
+
+TEST_F(WorldFile, AddsToABuilderWithItsOptions) {
+  const World world = load(R"(
+start: corridor
+options: {length: 12 m, doors_a_side: 2, clutter: 0}
+shapes:
+  - {name: crate, box: [0.5 m, 0.5 m, 0.5 m], at: [6 m, 3.5 m]}
+)");
+  EXPECT_NEAR(path_by_name(world, "one_way").points[1].position.x(), 10.5, 1e-9);
+  EXPECT_EQ(entity_named(world, "crate").parts.size(), 1u);
+}
+
+TEST_F(WorldFile, LetsSettingsOverrideItsOptions) {
+  const std::string path = write("lab.yaml", "start: corridor\noptions: {length: 12 m}\n");
+  const World world = build_world(path, {parse_setting("length=20 m")});
+  EXPECT_NEAR(path_by_name(world, "one_way").points[1].position.x(), 18.5, 1e-9);
+}
+
+TEST_F(WorldFile, MakesWallsOfAPlan) {
+  // A ring of walls, drawn from the top: 0 black, 254 free, 205 unknown.
+  GrayImage image(6, 5, 254);
+  for (int x = 0; x < 6; ++x) image.at(x, 0) = image.at(x, 4) = 0;
+  for (int y = 0; y < 5; ++y) image.at(0, y) = image.at(5, y) = 0;
+  image.at(3, 1) = 0;
+  image.at(1, 3) = 205;
+  write_pgm(folder_.file("plan.pgm"), image);
+  write("plan.yaml",
+        "image: plan.pgm\nresolution: 0.5\norigin: [10.0, 20.0, 0.0]\nnegate: 0\n"
+        "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  const World world = load("plan: {file: plan.yaml, height: 2 m, material: brick}\n");
+  const TrueMap map = raster(world, {.height = 1.0, .resolution = 0.5, .margin = 0.0});
+  ASSERT_EQ(map.width, 6);
+  ASSERT_EQ(map.height, 5);
+  EXPECT_EQ(map.origin, Eigen::Vector2d(10.0, 20.0));
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 6; ++x) {
+      const bool solid = map.entities[map.index(x, y)] >= 0;
+      EXPECT_EQ(solid, image.at(x, 4 - y) == 0) << x << ", " << y;
+    }
+  }
+  EXPECT_EQ(entity_named(world, "plan").parts.size(), 5u)
+      << "top, bottom, left and right side, and the nose";
+}
+
+TEST_F(WorldFile, RefusesAPlanThatIsAllSpeckles) {
+  GrayImage image(640, 640, 254);
+  for (int y = 0; y < 640; ++y) {
+    for (int x = y % 2; x < 640; x += 2) image.at(x, y) = 0;
+  }
+  write_pgm(folder_.file("plan.pgm"), image);
+  write("plan.yaml", "image: plan.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
+  EXPECT_INPUT_ERROR(load("plan: {file: plan.yaml}\n"),
+                     "plan.yaml: the plan falls into 204800 pieces of wall, too many for memory");
+}
+
+TEST_F(WorldFile, ReadsMeshes) {
+  write("rock.obj",
+        "# a tetrahedron\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+        "f 1 3 2\nf 1/1 2/2 4/3\nf 2 3 -1\nf 1 4 3\n");
+  const World world = load("shapes: [{name: rock, mesh: rock.obj, at: [2 m, 3 m, 0 m]}]\n");
+  const Eigen::AlignedBox3d box = bounds_of(world);
+  EXPECT_TRUE(box.min().isApprox(Eigen::Vector3d(2, 3, 0)));
+  EXPECT_TRUE(box.max().isApprox(Eigen::Vector3d(3, 4, 1)));
+}
+
+TEST_F(WorldFile, RefusesAPathThroughAWall) {
+  EXPECT_INPUT_ERROR(load("walls: [{name: wall, from: [0 m, -1 m], to: [0 m, 1 m]}]\n"
+                          "paths:\n"
+                          "  across: {points: [[-2 m, 0 m], [2 m, 0 m]]}\n"),
+                     "lab.yaml:3: path 'across' of world 'lab' runs through 'wall' between");
+  EXPECT_INPUT_ERROR(load("walls: [{name: wall, from: [0 m, 0.325 m], to: [0 m, 1 m]}]\n"
+                          "paths:\n"
+                          "  across: {points: [[-2 m, 0 m], [2 m, 0 m]]}\n"),
+                     "comes within 0.25 m of 'wall'");
+}
+
+TEST_F(WorldFile, RefusesAPathThatDoesNotSayWhereToLook) {
+  EXPECT_INPUT_ERROR(load("start: office\npaths: {p: {points: [[1 m, 1 m], [1 m, 1 m]]}}\n"),
+                     "lab.yaml:2: the path begins with the same point twice");
+}
+
+TEST_F(WorldFile, SaysWhatItDoesNotKnowAndWhatWasMeant) {
+  EXPECT_INPUT_ERROR(load("shapes:\n  - {name: crate, box: [1 m, 1 m, 1 m], material: plastre}\n"),
+                     "lab.yaml:2: unknown material 'plastre'; did you mean 'plaster'?");
+  EXPECT_INPUT_ERROR(load("start: offise\n"), "did you mean 'office'?");
+  EXPECT_INPUT_ERROR(load("start: office\noptions: {sise: 30 m}\n"), "did you mean 'size'?");
+  EXPECT_INPUT_ERROR(load("start: office\nwals: []\n"), "did you mean 'walls'?");
+  EXPECT_INPUT_ERROR(load("shapes: [{name: crate, at: [1 m, 1 m]}]\n"),
+                     "give box, cylinder, outline or mesh");
+}
+
+TEST_F(WorldFile, RefusesWhatCannotStand) {
+  EXPECT_INPUT_ERROR(load("about: nothing\n"), "the world is empty");
+  EXPECT_INPUT_ERROR(load("start: office\nplan: {file: x.yaml}\n"), "not from both");
+  EXPECT_INPUT_ERROR(load("shapes: [{box: [1 m, 0 m, 1 m]}]\n"), "the box has no size");
+  EXPECT_INPUT_ERROR(load("shapes: [{cylinder: {radius: -5 cm}}]\n"), "too small");
+  EXPECT_INPUT_ERROR(
+      load("shapes: [{outline: [[0 m, 0 m], [1 m, 1 m], [1 m, 0 m], [0 m, 1 m]]}]\n"),
+      "crosses itself");
+  EXPECT_INPUT_ERROR(load("walls: [{from: [0 m, 0 m], to: [2 m, 0 m], openings: "
+                          "[{kind: gap, at: 1.8 m, width: 1 m}]}]\n"),
+                     "reaches beyond the wall");
+  EXPECT_INPUT_ERROR(load("floor: {from: [0 m, 0 m], to: [1 m, 1 m]}\ncrowd: {walkers: 3}\n"),
+                     "no routes for them");
+}
+
+TEST_F(WorldFile, RefusesDamagedMeshesAndPlansByLine) {
+  write("bad.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n");
+  EXPECT_INPUT_ERROR(load("shapes: [{mesh: bad.obj}]\n"), "bad.obj:3: face corner '3'");
+  write("bad.obj", "v 0 nan 0\n");
+  EXPECT_INPUT_ERROR(load("shapes: [{mesh: bad.obj}]\n"),
+                     "bad.obj:1: a vertex needs three numbers");
+  write("plan.yaml", "image: plan.jpg\nresolution: 0.05\norigin: [0, 0, 0]\n");
+  EXPECT_INPUT_ERROR(load("plan: {file: plan.yaml}\n"), "neither .pgm nor .png");
+  EXPECT_INPUT_ERROR(load("plan: {file: missing.yaml}\n"), "missing.yaml");
+}
+
+// The first YAML block after `title`, as it stands in the file.
+std::string example_of(const std::string& path, const std::string& title) {
+  std::ifstream readme(path);
+  const std::string text{std::istreambuf_iterator<char>(readme), {}};
+  const std::string fence = "```yaml\n";
+  const std::size_t begin = text.find(fence, text.find(title)) + fence.size();
+  return text.substr(begin, text.find("```", begin) - begin);
+}
+
+TEST_F(WorldFile, OfTheReadmeIsRight) {
+  const std::string example = example_of(MAPBED_SOURCE_DIR "/README.md", "`my_world.yaml`");
+  const World world = load(example);
+  EXPECT_FALSE(world.paths.empty());
+  EXPECT_FALSE(world.crowd.routes.empty());
+  EXPECT_LT(std::count(example.begin(), example.end(), '\n'), 40);
+}
+
+TEST_F(WorldFile, OfTheWorkshopIsThatOfTheWorldsReadme) {
+  const std::string example =
+      example_of(MAPBED_SOURCE_DIR "/worlds/README.md", "A world of your own");
+  std::ifstream workshop(MAPBED_SOURCE_DIR "/worlds/workshop.yaml");
+  EXPECT_EQ(example, (std::string{std::istreambuf_iterator<char>(workshop), {}}));
+  const World world = load(example);
+  EXPECT_EQ(world.doors.size(), 1u);
+  EXPECT_LT(std::count(example.begin(), example.end(), '\n'), 40);
+  EXPECT_EQ(path_by_name(world, "round").points.size(), 5u);
+}
+
+}  // namespace
+}  // namespace mapbed
