@@ -15,7 +15,7 @@ namespace {
 // Of what each is allowed, but not with the other.
 void check_together(const GridSlamOptions& options, const Settings& settings) {
   if (options.proposal != Proposal::odometry || options.matcher.use_odometry) return;
-  Place place;
+  SourceLocation place;
   for (const Setting& setting : settings) {
     if (setting.path == "proposal" || setting.path == "matcher.use_odometry") place = setting.place;
   }

@@ -3,7 +3,8 @@
 namespace mapbed {
 namespace {
 
-std::string one_line(const Place& place, const std::string& reason, const std::string& remedy) {
+std::string one_line(const SourceLocation& place, const std::string& reason,
+                     const std::string& remedy) {
   std::string text = place.file;
   if (place.line > 0) text += ":" + std::to_string(place.line);
   if (!text.empty()) text += ": ";
@@ -14,7 +15,8 @@ std::string one_line(const Place& place, const std::string& reason, const std::s
 
 }  // namespace
 
-InputError::InputError(const Place& place, const std::string& reason, const std::string& remedy)
+InputError::InputError(const SourceLocation& place, const std::string& reason,
+                       const std::string& remedy)
     : std::runtime_error(one_line(place, reason, remedy)) {}
 
 std::string in_quotes(std::string_view text) {

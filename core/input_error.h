@@ -7,7 +7,7 @@
 namespace mapbed {
 
 // Where a wrong input stands. `line` counts from 1; 0 where there is no line to name.
-struct Place {
+struct SourceLocation {
   std::string file;
   long line = 0;
 };
@@ -19,7 +19,8 @@ struct Place {
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& message) : std::runtime_error(message) {}
-  InputError(const Place& place, const std::string& reason, const std::string& remedy = {});
+  InputError(const SourceLocation& place, const std::string& reason,
+             const std::string& remedy = {});
 };
 
 // 'text' in quotes, for messages: on one line, without control characters, not too long.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kCloseAgain = 2.0;  // [m] that count as being at the same place
 
-void add_relation(std::string& text, const StampedPose& a, const StampedPose& b) {
+void add_relation(std::string& text, const Stamped<Pose2>& a, const Stamped<Pose2>& b) {
   const Pose2 motion = motion_between(a.pose, b.pose);
   text += fmt::format("{:.6f} {:.6f} {:.6f} {:.6f} 0 0 0 {:.7f}\n", a.time, b.time, motion.x,
                       motion.y, motion.theta);
@@ -19,8 +19,8 @@ void add_relation(std::string& text, const StampedPose& a, const StampedPose& b)
 
 std::string relations_text(const Trajectory& truth, const RelationsOptions& options) {
   std::string text;
-  std::vector<StampedPose> kept;  // every `shortest` metres
-  std::vector<double> ways;       // [m] of path up to there
+  std::vector<Stamped<Pose2>> kept;  // every `shortest` metres
+  std::vector<double> ways;          // [m] of path up to there
   double way = 0.0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     if (i > 0) way += distance(truth[i - 1].pose, truth[i].pose);

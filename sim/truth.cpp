@@ -29,7 +29,7 @@ namespace {
 constexpr int kVersion = 1;
 constexpr int kKinds = 8;  // of EntityKind
 
-EntityKind kind_by_name(std::string_view name, const Place& place) {
+EntityKind kind_by_name(std::string_view name, const SourceLocation& place) {
   for (int k = 0; k < kKinds; ++k) {
     if (name_of(static_cast<EntityKind>(k)) == name) return static_cast<EntityKind>(k);
   }
@@ -151,7 +151,7 @@ class Reader {
 
   std::string_view text_;
   std::string_view line_;
-  Place place_;
+  SourceLocation place_;
   Truth truth_;
   bool has_header_ = false;
 };

@@ -49,9 +49,9 @@ void check(const ScanList& scans, const Trajectory& map_from_robot, const MapOpt
   CHECK(scans.size() == map_from_robot.size());
   const double limit = reach(options.resolution) - options.beams.usable_range;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    const StampedPose& stamped = map_from_robot[i];
+    const Stamped<Pose2>& stamped = map_from_robot[i];
     CHECK(stamped.time == scans[i]->time);
-    const Pose2 laser = stamped.pose * scans[i]->robot_from_laser;
+    const Pose2 laser = stamped.pose * scans[i]->robot_from_laser.planar;
     if (std::abs(laser.x) < limit && std::abs(laser.y) < limit) continue;
     throw InputError(fmt::format(
         "the pose at {:.3f} s, ({} m, {} m), lies outside the {:.0f} m about the origin that a map "

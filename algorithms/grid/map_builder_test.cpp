@@ -37,7 +37,7 @@ TEST(MapBuilder, PutsEachScanAtItsPose) {
 
 TEST(MapBuilder, PutsBeamsWhereTheLaserIsMounted) {
   LaserScan scan = scan_of(2.0);
-  scan.robot_from_laser = {1.0, 0.0, M_PI / 2};
+  scan.robot_from_laser.planar = {1.0, 0.0, M_PI / 2};
   const OccupancyMap map = build_map({scan}, {{0.0, Pose2{0.5, 0.5, 0.0}}}, {.resolution = 1.0});
   EXPECT_EQ(drawing_of(map, {{0, 0}, {1, 2}}),
             " #|"

@@ -21,7 +21,7 @@ Pose2 held_at(const Trajectory& odometry, double time) {
 double distance_in_time(const Trajectory& odometry, double time) {
   const auto after =
       std::lower_bound(odometry.begin(), odometry.end(), time,
-                       [](const StampedPose& reading, double t) { return reading.time < t; });
+                       [](const Stamped<Pose2>& reading, double t) { return reading.time < t; });
   const double ahead = after == odometry.end() ? HUGE_VAL : after->time - time;
   const double behind = after == odometry.begin() ? HUGE_VAL : time - (after - 1)->time;
   return std::min(ahead, behind);

@@ -46,8 +46,8 @@ TEST_F(Hypothesis, AncestorsOfSeveralParticlesCountOnce) {
 
 TEST_F(Hypothesis, ABranchBeginsWhereItPartedFromOneBefore) {
   const auto at = [](double time, double x) {
-    return ::testing::AllOf(Field(&StampedPose::time, time),
-                            Field(&StampedPose::pose, Pose2{x, 0.0, 0.0}));
+    return ::testing::AllOf(Field(&Stamped<Pose2>::time, time),
+                            Field(&Stamped<Pose2>::pose, Pose2{x, 0.0, 0.0}));
   };
   EXPECT_THAT(branches_of(particles_, updates_),
               ElementsAre(ElementsAre(at(10.0, 0.0), at(11.0, 1.0), at(12.0, 2.0)),

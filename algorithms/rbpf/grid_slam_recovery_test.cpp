@@ -52,7 +52,7 @@ TEST_P(FindsItselfAgain, AfterItWasCarriedAcrossTheMap) {
   // So is the whole path, but for the half metre after it, of which nobody can say on which side of
   // the carrying it lies: the next update is made then.
   const Pose2 first = carried.log.true_poses.front().pose;
-  for (const StampedPose& stamped : estimate.trajectory) {
+  for (const Stamped<Pose2>& stamped : estimate.trajectory) {
     if (stamped.time >= carried.time && stamped.time < carried.time + 1.0) continue;
     const Pose2 truth = motion_between(first, *pose_at(carried.log.true_poses, stamped.time));
     EXPECT_LT(distance(stamped.pose, truth), 0.2) << stamped.time;
@@ -100,7 +100,7 @@ TEST(GridSlam, SaysThatItIsLostWhereTheMapExplainsNothing) {
     EXPECT_THAT(remark, Not(HasSubstr("lost")));
   for (const Measurement& measurement : after.measurements) slam.add(measurement);
   const Estimate estimate = slam.estimate();
-  for (const StampedPose& stamped : estimate.trajectory) EXPECT_TRUE(is_finite(stamped.pose));
+  for (const Stamped<Pose2>& stamped : estimate.trajectory) EXPECT_TRUE(is_finite(stamped.pose));
   EXPECT_THAT(estimate.remarks, Contains(HasSubstr("lost from")));
 }
 
@@ -112,7 +112,7 @@ TEST(GridSlam, IsLostWhereItWasCarriedIntoTheUnknown) {
   GridSlamOptions options;
   options.particles = 20;
   const Estimate estimate = run(carried.log, options);
-  for (const StampedPose& stamped : estimate.trajectory) EXPECT_TRUE(is_finite(stamped.pose));
+  for (const Stamped<Pose2>& stamped : estimate.trajectory) EXPECT_TRUE(is_finite(stamped.pose));
   EXPECT_THAT(estimate.remarks, Not(Contains(HasSubstr("found again"))));
   EXPECT_THAT(estimate.remarks, Contains(HasSubstr("lost from")));
 }

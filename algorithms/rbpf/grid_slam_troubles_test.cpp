@@ -29,7 +29,7 @@ TEST(GridSlam, StaysFiniteWhenTheLaserSeesNothingAndSaysSo) {
     slam.add(blind);
   }
   const Estimate estimate = slam.estimate();
-  for (const StampedPose& stamped : estimate.trajectory) EXPECT_TRUE(is_finite(stamped.pose));
+  for (const Stamped<Pose2>& stamped : estimate.trajectory) EXPECT_TRUE(is_finite(stamped.pose));
   EXPECT_NEAR(estimate.trajectory.back().pose.x, 0.6 * 19, 2.0);  // where odometry has it
   EXPECT_THAT(estimate.remarks, Contains(HasSubstr("the laser sees nothing from 0.0 s to 19.0 s")));
 }
@@ -49,7 +49,7 @@ TEST(GridSlam, TheStandardFilterStandsStillWithoutOdometryAndSaysSo) {
   options.particles = 2;
   options.proposal = Proposal::odometry;
   const Estimate estimate = run(without_odometry(two_rounds()), options);
-  for (const StampedPose& stamped : estimate.trajectory) {
+  for (const Stamped<Pose2>& stamped : estimate.trajectory) {
     // Scans between updates are matched about where they are taken to be, which is held to be right
     // to this.
     const MotionModelOptions& errors = options.odometry_errors;

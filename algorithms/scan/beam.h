@@ -43,7 +43,7 @@ template <class Visitor>
 void for_each_beam(const LaserScan& scan, const Pose2& map_from_robot, const BeamLimits& limits,
                    Visitor&& visit) {
   CHECK(is_finite(map_from_robot));
-  const Pose2 map_from_laser = map_from_robot * scan.robot_from_laser;
+  const Pose2 map_from_laser = map_from_robot * scan.robot_from_laser.planar;
   const Eigen::Vector2d start(map_from_laser.x, map_from_laser.y);
   for (std::size_t n = 0; n < scan.ranges.size(); ++n) {
     const double range = scan.ranges[n];

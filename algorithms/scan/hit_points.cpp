@@ -75,8 +75,9 @@ std::vector<Eigen::Vector2d> all_hit_points(const LaserScan& scan, double max_ra
     const double bearing = scan.bearing(beam);
     points.emplace_back(range * std::cos(bearing), range * std::sin(bearing));
   }
-  if (scan.robot_from_laser == Pose2{}) return points;
-  return transformed(points, scan.robot_from_laser);
+  const Pose2& robot_from_laser = scan.robot_from_laser.planar;
+  if (robot_from_laser == Pose2{}) return points;
+  return transformed(points, robot_from_laser);
 }
 
 std::vector<SurfacePoint> surface_points(const LaserScan& scan, double max_range, double max_gap,
@@ -107,7 +108,7 @@ std::vector<SurfacePoint> surface_points(const LaserScan& scan, double max_range
     }
     const double bearing = scan.bearing(beam);
     const Eigen::Vector2d point =
-        scan.robot_from_laser *
+        scan.robot_from_laser.planar *
         Eigen::Vector2d(range * std::cos(bearing), range * std::sin(bearing));
     const double reach = std::max(max_gap, kMaxArcs * range * std::abs(scan.bearing_step));
     if (!run.empty() && (point - run.back()).norm() > reach) finish_run();

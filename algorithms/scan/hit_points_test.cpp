@@ -35,7 +35,8 @@ TEST(HitPoints, LeaveOutWhatHitNothingAndWhatIsTooFar) {
 }
 
 TEST(HitPoints, StandInTheRobotFrame) {
-  LaserScan scan{.robot_from_laser = {0.5, 0.0, kPi}, .bearing_step = 0.1, .max_range = 8.0};
+  LaserScan scan{
+      .robot_from_laser = {.planar = {0.5, 0.0, kPi}}, .bearing_step = 0.1, .max_range = 8.0};
   scan.ranges = {2.0};
   EXPECT_LT((hit_points(scan, {})[0] - Eigen::Vector2d(-1.5, 0.0)).norm(), 1e-12);
 }

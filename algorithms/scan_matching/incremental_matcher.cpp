@@ -59,11 +59,11 @@ void IncrementalMatcher::add_scan(const LaserScan& scan) {
 
 // Where the robot is if it went on as between the last two scans.
 PosePrior IncrementalMatcher::prediction(double time) const {
-  const StampedPose& newest = trajectory_.back();
+  const Stamped<Pose2>& newest = trajectory_.back();
   const double seconds = time - newest.time;
   Pose2 motion;
   if (trajectory_.size() >= 2) {
-    const StampedPose& before = trajectory_[trajectory_.size() - 2];
+    const Stamped<Pose2>& before = trajectory_[trajectory_.size() - 2];
     const double step = newest.time - before.time;
     if (step > 0.0 && seconds <= 2.0 * step) {
       motion = interpolate({}, motion_between(before.pose, newest.pose), seconds / step);

@@ -26,7 +26,7 @@ RecordedLog round_trip(std::uint64_t seed) {
 double largest_error(const RecordedLog& log, const Estimate& estimate) {
   const Pose2 first = *pose_at(log.true_poses, estimate.trajectory.front().time);
   double largest = 0.0;
-  for (const StampedPose& stamped : estimate.trajectory) {
+  for (const Stamped<Pose2>& stamped : estimate.trajectory) {
     const Pose2 truth = motion_between(first, *pose_at(log.true_poses, stamped.time));
     largest = std::max(
         largest, distance(truth, motion_between(estimate.trajectory.front().pose, stamped.pose)));

@@ -66,7 +66,7 @@ struct Experiment {
 const std::vector<Experiment>& experiments();
 
 // Throws InputError for an unknown name, which stands at `place`.
-const Experiment& experiment_by_name(const std::string& name, const Place& place = {});
+const Experiment& experiment_by_name(const std::string& name, const SourceLocation& place = {});
 
 // One that has an options struct: `run` is called with the options and the input.
 template <class Options>

@@ -27,7 +27,7 @@ RunInput shortened(RunInput input, double longest) {
   return input;
 }
 
-const Experiment& experiment_by_name(const std::string& name, const Place& place) {
+const Experiment& experiment_by_name(const std::string& name, const SourceLocation& place) {
   std::vector<std::string> names;
   for (const Experiment& experiment : experiments()) {
     if (experiment.name == name) return experiment;

@@ -44,7 +44,7 @@ GlassCells look_at_glass(const OccupancyMap& map, const PosedScans& posed,
   for (std::size_t i = 0; i < posed.scans.size(); ++i) {
     const LaserScan& scan = posed.scans[i];
     const auto& beams = recording.truth.scans[i].beams;
-    const Pose2 world_from_laser = posed.world_from_robot[i].pose * scan.robot_from_laser;
+    const Pose2 world_from_laser = posed.world_from_robot[i].pose * scan.robot_from_laser.planar;
     for (std::size_t k = 0; k < beams.size(); ++k) {
       if (beams[k].material != glass || !std::isfinite(beams[k].range)) continue;
       const double bearing = scan.bearing(k);

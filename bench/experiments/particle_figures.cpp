@@ -65,7 +65,7 @@ double tenths(double value) {
 }
 
 void append(const Trajectory& path, const Pose2& world_from_path, Series& series) {
-  for (const StampedPose& stamped : thinned(path, kFinest)) {
+  for (const Stamped<Pose2>& stamped : thinned(path, kFinest)) {
     const Pose2 pose = world_from_path * stamped.pose;
     series.x.push_back(rounded(pose.x));
     series.y.push_back(rounded(pose.y));

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "bench/pages/testing/well_formed.h"
+#include "bench/plot/testing/well_formed.h"
 
 namespace mapbed {
 namespace {

@@ -43,7 +43,7 @@ void check_method(const std::string& name, const Settings& settings) {
   std::vector<std::string> names;
   for (const Method& method : methods()) names.push_back(method.name);
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  Place place;
+  SourceLocation place;
   for (const Setting& setting : settings) {
     if (setting.path == "estimator") place = setting.place;
   }

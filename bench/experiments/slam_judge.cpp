@@ -83,14 +83,14 @@ const std::vector<JudgedMetric>& judged_metrics() {
 
 Trajectory transformed(const Trajectory& map_from_robot, const Pose2& world_from_map) {
   Trajectory result = map_from_robot;
-  for (StampedPose& stamped : result) stamped.pose = world_from_map * stamped.pose;
+  for (Stamped<Pose2>& stamped : result) stamped.pose = world_from_map * stamped.pose;
   return result;
 }
 
 // The true poses at the stamps of an estimate; none where one of them is not known.
 Trajectory truth_at_stamps(const Trajectory& truth, const Trajectory& estimate) {
   Trajectory result;
-  for (const StampedPose& stamped : estimate) {
+  for (const Stamped<Pose2>& stamped : estimate) {
     const std::optional<Pose2> pose = pose_at(truth, stamped.time);
     if (!pose) return {};
     result.push_back({stamped.time, *pose});

@@ -14,8 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Trajectory sorted_by_time(Trajectory trajectory) {
-  std::stable_sort(trajectory.begin(), trajectory.end(),
-                   [](const StampedPose& a, const StampedPose& b) { return a.time < b.time; });
+  std::stable_sort(
+      trajectory.begin(), trajectory.end(),
+      [](const Stamped<Pose2>& a, const Stamped<Pose2>& b) { return a.time < b.time; });
   return trajectory;
 }
 

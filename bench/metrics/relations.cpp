@@ -20,18 +20,18 @@ constexpr double kSameTime = 1e-9;  // [s] two poses closer than this have no wa
 
 // Poses of equal stamps in an order of their own, so that the file's order does not matter.
 Trajectory sorted(Trajectory trajectory) {
-  const auto key = [](const StampedPose& p) {
+  const auto key = [](const Stamped<Pose2>& p) {
     return std::make_tuple(p.time, p.pose.x, p.pose.y, p.pose.theta);
   };
   std::sort(trajectory.begin(), trajectory.end(),
-            [&](const StampedPose& a, const StampedPose& b) { return key(a) < key(b); });
+            [&](const Stamped<Pose2>& a, const Stamped<Pose2>& b) { return key(a) < key(b); });
   return trajectory;
 }
 
 std::size_t first_after(const Trajectory& trajectory, double time) {
   const auto after =
       std::upper_bound(trajectory.begin(), trajectory.end(), time,
-                       [](double t, const StampedPose& stamped) { return t < stamped.time; });
+                       [](double t, const Stamped<Pose2>& stamped) { return t < stamped.time; });
   return static_cast<std::size_t>(after - trajectory.begin());
 }
 
@@ -40,8 +40,8 @@ Pose2 held_pose_at(const Trajectory& trajectory, double time) {
   if (trajectory.size() == 1) return trajectory.front().pose;
   const std::size_t i =
       std::clamp<std::size_t>(first_after(trajectory, time), 1, trajectory.size() - 1);
-  const StampedPose& a = trajectory[i - 1];
-  const StampedPose& b = trajectory[i];
+  const Stamped<Pose2>& a = trajectory[i - 1];
+  const Stamped<Pose2>& b = trajectory[i];
   const double duration = b.time - a.time;
   const double share =
       duration > kSameTime ? std::clamp((time - a.time) / duration, 0.0, 1.0) : 1.0;
@@ -49,7 +49,7 @@ Pose2 held_pose_at(const Trajectory& trajectory, double time) {
 }
 
 // `start` moved on as odometry did until the time at which odometry says `now`.
-Pose2 carried(const StampedPose& start, const Trajectory& odometry, const Pose2& now) {
+Pose2 carried(const Stamped<Pose2>& start, const Trajectory& odometry, const Pose2& now) {
   return start.pose * motion_between(held_pose_at(odometry, start.time), now);
 }
 
@@ -83,7 +83,7 @@ double sigma_of(const std::vector<double>& values, double mean) {
   return std::sqrt(mean_of(squares));
 }
 
-Relation parsed(std::string_view line, const Place& place) {
+Relation parsed(std::string_view line, const SourceLocation& place) {
   std::array<double, 8> field{};
   for (double& number : field) {
     const std::string_view word = next_word(line);

@@ -15,17 +15,17 @@ namespace {
 using IndexPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
 // The pose nearest in time; of two as near, the earlier one.
-const StampedPose& nearest(const Trajectory& sorted, double time) {
+const Stamped<Pose2>& nearest(const Trajectory& sorted, double time) {
   const auto after =
       std::lower_bound(sorted.begin(), sorted.end(), time,
-                       [](const StampedPose& stamped, double t) { return stamped.time < t; });
+                       [](const Stamped<Pose2>& stamped, double t) { return stamped.time < t; });
   if (after == sorted.begin()) return *after;
   const auto before = after - 1;
   if (after == sorted.end()) return *before;
   return after->time - time < time - before->time ? *after : *before;
 }
 
-PosePair pair_of(const StampedPose& truth, const StampedPose& estimate) {
+PosePair pair_of(const Stamped<Pose2>& truth, const Stamped<Pose2>& estimate) {
   return {estimate.time, truth.pose, estimate.pose};
 }
 
@@ -113,8 +113,8 @@ std::vector<PosePair> associated(const Trajectory& truth, const Trajectory& esti
   const bool estimate_is_longer = estimate.size() > truth.size();
   const Trajectory& shorter = estimate_is_longer ? truth : estimate;
   const Trajectory& longer = estimate_is_longer ? estimate : truth;
-  for (const StampedPose& stamped : shorter) {
-    const StampedPose& partner = nearest(longer, stamped.time);
+  for (const Stamped<Pose2>& stamped : shorter) {
+    const Stamped<Pose2>& partner = nearest(longer, stamped.time);
     if (std::abs(partner.time - stamped.time) > max_time_difference) continue;
     pairs.push_back(estimate_is_longer ? pair_of(stamped, partner) : pair_of(partner, stamped));
   }
@@ -193,7 +193,7 @@ PoseErrors relative_error(const std::vector<PosePair>& pairs, const RelativeErro
 PoseErrors error_over_path(const Trajectory& truth, const Trajectory& estimate, double length) {
   CHECK(length > 0.0);
   std::vector<Pose2> path;
-  for (const StampedPose& stamped : truth) path.push_back(stamped.pose);
+  for (const Stamped<Pose2>& stamped : truth) path.push_back(stamped.pose);
   const std::vector<double> lengths = path_lengths(path);
 
   ErrorLists errors;

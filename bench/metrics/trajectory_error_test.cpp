@@ -20,7 +20,7 @@ Trajectory straight(int count) {
 }
 
 Trajectory moved(const Pose2& world_from_map, Trajectory path) {
-  for (StampedPose& stamped : path) stamped.pose = world_from_map * stamped.pose;
+  for (Stamped<Pose2>& stamped : path) stamped.pose = world_from_map * stamped.pose;
   return path;
 }
 

@@ -13,14 +13,14 @@ namespace mapbed {
 namespace {
 
 // The example log, and a particle's map of its true poses.
-struct Place {
+struct SourceLocation {
   RecordedLog log;
   GridSlamOptions options;
   std::vector<Pose2> poses;
   std::vector<ScanForWeighting> scans;
   SurfaceMap map;
 
-  Place()
+  SourceLocation()
       : log(open_log(find_data_file("log", "scenarios/logs", "example").string())),
         map(options.map_resolution) {
     for (const Measurement& measurement : log.measurements) {
@@ -34,8 +34,8 @@ struct Place {
   }
 };
 
-const Place& place() {
-  static const Place made;
+const SourceLocation& place() {
+  static const SourceLocation made;
   return made;
 }
 

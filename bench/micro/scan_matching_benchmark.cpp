@@ -17,13 +17,13 @@ namespace mapbed {
 namespace {
 
 // The example log, a drive round four rooms on 20 m x 14 m, and the map of its true poses.
-struct Place {
+struct SourceLocation {
   RecordedLog log;
   std::vector<LaserScan> scans;
   std::vector<std::vector<SurfacePoint>> surfaces;  // in the map, of scans half a metre apart
   LikelihoodField field;
 
-  Place() : log(open_log(find_data_file("log", "scenarios/logs", "example").string())) {
+  SourceLocation() : log(open_log(find_data_file("log", "scenarios/logs", "example").string())) {
     const IncrementalMatcherOptions options;
     SurfaceMeans means(field.resolution());
     std::vector<Pose2> kept;
@@ -48,8 +48,8 @@ struct Place {
   }
 };
 
-const Place& place() {
-  static const Place made;
+const SourceLocation& place() {
+  static const SourceLocation made;
   return made;
 }
 

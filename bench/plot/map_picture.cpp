@@ -82,7 +82,7 @@ CellBox box_of_surroundings(const OccupancyMap& map) {
 CellBox box_around(const OccupancyMap& map, const std::vector<DrawnPath>& paths) {
   CellBox box = box_of_surroundings(map);
   for (const DrawnPath& path : paths) {
-    for (const StampedPose& stamped : path.map_from_robot) {
+    for (const Stamped<Pose2>& stamped : path.map_from_robot) {
       const CellIndex cell = map.cell_of(stamped.pose.position());
       if (box.empty()) box = {cell, cell};
       box.min = {std::min(box.min.x, cell.x), std::min(box.min.y, cell.y)};
@@ -160,7 +160,7 @@ void draw_path(RgbImage& image, const DrawnPath& path, const Rgb& color, double 
                const OccupancyMap& map, const Layout& layout) {
   if (path.map_from_robot.empty()) return;
   std::vector<Eigen::Vector2d> points;
-  for (const StampedPose& stamped : path.map_from_robot) {
+  for (const Stamped<Pose2>& stamped : path.map_from_robot) {
     points.push_back(pixel_of(stamped.pose.position(), map, layout));
   }
   draw_polyline(image, points, {.color = color, .width = width, .opacity = 0.9});

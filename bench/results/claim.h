@@ -20,7 +20,7 @@ struct Claim {
   enum class Relation : int { at_most, at_least, below, above, equals };
   enum class Where : int { every_level, upper_half, given };
 
-  Place place;
+  SourceLocation place;
   std::string metric;
   std::string of;  // a variant; empty: every one
   Statistic statistic = Statistic::mean;

@@ -58,7 +58,7 @@ Json scan_json(const LaserScan& scan, double start, int max_beams) {
   for (std::size_t beam = 0; beam < beams; beam += stride) {
     ranges.push_back(scan.is_hit(beam) ? std::lround(100.0 * scan.ranges[beam]) : 0L);
   }
-  const Pose2& laser = scan.robot_from_laser;
+  const Pose2& laser = scan.robot_from_laser.planar;
   return {{"t", rounded(scan.time - start, 0.001)},
           {"laser", {centimeters(laser.x), centimeters(laser.y), rounded(laser.theta, 0.001)}},
           {"first", rounded(scan.first_bearing, 0.0001)},
@@ -92,7 +92,7 @@ std::pair<double, double> span_of(const Replay& replay) {
     end = std::max(end, time);
   };
   for (const Trajectory* track : {&replay.truth, &replay.estimate, &replay.odometry}) {
-    for (const StampedPose& pose : *track) include(pose.time);
+    for (const Stamped<Pose2>& pose : *track) include(pose.time);
   }
   for (const LaserScan& scan : replay.scans) include(scan.time);
   return start <= end ? std::pair{start, end} : std::pair{0.0, 0.0};
@@ -178,12 +178,12 @@ std::vector<std::vector<Eigen::Vector2d>> outlines_of(const World& world, double
 }
 
 Trajectory aligned_at_start(const Trajectory& estimate, const Trajectory& truth) {
-  for (const StampedPose& first : estimate) {
+  for (const Stamped<Pose2>& first : estimate) {
     const std::optional<Pose2> world_from_robot = pose_at(truth, first.time);
     if (!world_from_robot) continue;
     const Pose2 world_from_map = *world_from_robot * inverse(first.pose);
     Trajectory moved = estimate;
-    for (StampedPose& pose : moved) pose.pose = world_from_map * pose.pose;
+    for (Stamped<Pose2>& pose : moved) pose.pose = world_from_map * pose.pose;
     return moved;
   }
   return estimate;

@@ -17,7 +17,7 @@ constexpr double kStamp = 1'234'567'890.0;  // [s] as large as those of real log
 
 LaserScan scan_at(double time, std::vector<double> ranges) {
   return {.time = time,
-          .robot_from_laser = {0.1, 0.0, 0.0},
+          .robot_from_laser = {.planar = {0.1, 0.0, 0.0}},
           .first_bearing = 0.0,
           .bearing_step = std::numbers::pi / 2,
           .max_range = 8.0,

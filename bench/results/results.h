@@ -30,7 +30,7 @@ struct SweepAxis {
   std::vector<std::string> texts;  // as written: "2 deg"
   std::vector<double> numbers;     // 2 for "2 deg"; empty where one of the texts is no number
   std::string unit;                // "deg"; empty where there is none or they differ
-  Place place = {};                // in the scenario
+  SourceLocation place = {};       // in the scenario
 };
 
 // A level is one combination of the axes' values; its number counts the last axis fastest.
@@ -108,9 +108,9 @@ struct PlotSpec {
   bool log_y = false;
   std::string x_label;  // empty: by path and unit
   std::string y_label;
-  std::string value_label;  // of a heat map
-  std::string thesis;       // which figure it stands beside
-  Place place = {};         // in the scenario
+  std::string value_label;    // of a heat map
+  std::string thesis;         // which figure it stands beside
+  SourceLocation place = {};  // in the scenario
 };
 
 struct Results {

@@ -51,14 +51,14 @@ CsvRow head_of_runs(const Results& results) {
 }
 
 template <class Integer>
-Integer whole_number(const std::string& text, const Place& place) {
+Integer whole_number(const std::string& text, const SourceLocation& place) {
   Integer value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc{} && end == text.data() + text.size()) return value;
   throw InputError(place, in_quotes(text) + " is no whole number");
 }
 
-RunRow run_of(const CsvRow& row, const Results& plan, const Place& place) {
+RunRow run_of(const CsvRow& row, const Results& plan, const SourceLocation& place) {
   RunRow run{.run = whole_number<int>(row[0], place), .level = whole_number<int>(row[2], place)};
   run.seed = whole_number<std::uint64_t>(row[1], place);
   const std::size_t at = 3 + plan.axes.size();

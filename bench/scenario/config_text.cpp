@@ -78,7 +78,7 @@ std::string runs_text(const ScenarioPlan& plan) {
   return text;
 }
 
-Unit unit_of(const std::string& symbol, const Place& place) {
+Unit unit_of(const std::string& symbol, const SourceLocation& place) {
   for (int i = 0; i <= static_cast<int>(Unit::newton); ++i) {
     const auto unit = static_cast<Unit>(i);
     if (unit != Unit::none && quantity_text(1.0, unit).substr(2) == symbol) return unit;

@@ -178,7 +178,7 @@ void make_quick(Reading& reading) {
   scenario.quick = true;
   scenario.seeds = std::min(scenario.seeds, reading.quick.seeds);
   for (SweepAxis& axis : scenario.axes) {
-    const Place place = axis.place;
+    const SourceLocation place = axis.place;
     axis = axis_of(axis.path, spread(axis.texts, reading.quick.levels));
     axis.place = place;
   }

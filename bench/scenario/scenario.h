@@ -46,7 +46,7 @@ struct Scenario {
   std::string about;
   std::string thesis;
   std::string experiment = "slam";
-  Place experiment_place = {};
+  SourceLocation experiment_place = {};
   Settings settings;   // of all runs
   Settings overrides;  // from the command line, over everything but the axes
   std::vector<SweepAxis> axes;
@@ -54,7 +54,7 @@ struct Scenario {
   int seeds = 1;
   std::uint64_t seed = 1;
   std::vector<std::string> metrics;
-  Place metrics_place = {};
+  SourceLocation metrics_place = {};
   std::vector<PlotSpec> plots;
   std::vector<Claim> claims;
   bool quick = false;

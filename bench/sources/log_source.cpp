@@ -204,7 +204,7 @@ SimulationPlan simulation_plan(const Settings& settings, std::uint64_t seed) {
     }
   }
   if (plan.world.empty() || plan.robot.empty()) {
-    const Place place = settings.empty() ? Place{} : settings.back().place;
+    const SourceLocation place = settings.empty() ? SourceLocation{} : settings.back().place;
     throw InputError({place.file, 0}, "there is no log to work on",
                      "give 'world' and 'robot' for a simulated one, or 'log' for a recorded one");
   }

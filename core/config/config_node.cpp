@@ -39,7 +39,7 @@ std::string example_of(ConfigNode::Kind kind) {
 
 // Comparisons are written so that every value lies within kAnyValue.
 void check_bounds(double value, Unit unit, const Bounds& bounds, const std::string& text,
-                  const Place& place) {
+                  const SourceLocation& place) {
   const bool too_low = bounds.low_itself ? value < bounds.low : value <= bounds.low;
   const bool too_high = value > bounds.high;
   if (!too_low && !too_high) return;
@@ -55,7 +55,7 @@ void check_bounds(double value, Unit unit, const Bounds& bounds, const std::stri
 }
 
 template <class Integer>
-Integer parse_integer(const std::string& text, const Bounds& bounds, const Place& place) {
+Integer parse_integer(const std::string& text, const Bounds& bounds, const SourceLocation& place) {
   Integer value{};
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value);
@@ -73,13 +73,14 @@ Integer parse_integer(const std::string& text, const Bounds& bounds, const Place
 
 }  // namespace
 
-ConfigNode::ConfigNode(std::string text, Place place)
+ConfigNode::ConfigNode(std::string text, SourceLocation place)
     : kind_(Kind::value), place_(std::move(place)), text_(std::move(text)) {}
 
-ConfigNode::ConfigNode(std::vector<ConfigNode> items, Place place)
+ConfigNode::ConfigNode(std::vector<ConfigNode> items, SourceLocation place)
     : kind_(Kind::list), place_(std::move(place)), children_(std::move(items)) {}
 
-ConfigNode::ConfigNode(std::vector<std::string> keys, std::vector<ConfigNode> values, Place place)
+ConfigNode::ConfigNode(std::vector<std::string> keys, std::vector<ConfigNode> values,
+                       SourceLocation place)
     : kind_(Kind::map),
       place_(std::move(place)),
       keys_(std::move(keys)),

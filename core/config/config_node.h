@@ -29,13 +29,13 @@ class ConfigNode {
  public:
   enum class Kind { value, list, map };
 
-  ConfigNode(std::string text, Place place);               // a value
-  ConfigNode(std::vector<ConfigNode> items, Place place);  // a list
+  ConfigNode(std::string text, SourceLocation place);               // a value
+  ConfigNode(std::vector<ConfigNode> items, SourceLocation place);  // a list
   // A map; keys and values go together and no key comes twice.
-  ConfigNode(std::vector<std::string> keys, std::vector<ConfigNode> values, Place place);
+  ConfigNode(std::vector<std::string> keys, std::vector<ConfigNode> values, SourceLocation place);
 
   Kind kind() const { return kind_; }
-  const Place& place() const { return place_; }
+  const SourceLocation& place() const { return place_; }
 
   // Values.
   const std::string& text() const;
@@ -68,7 +68,7 @@ class ConfigNode {
   void expect(Kind kind) const;
 
   Kind kind_;
-  Place place_;
+  SourceLocation place_;
   std::string text_;
   std::vector<std::string> keys_;     // of a map
   std::vector<ConfigNode> children_;  // items of a list, values of a map
@@ -81,7 +81,7 @@ class ConfigNode {
 ConfigNode load_config(const std::string& yaml_path);
 
 // The same from text; its first line stands at `place`.
-ConfigNode parse_config(std::string_view yaml, const Place& place);
+ConfigNode parse_config(std::string_view yaml, const SourceLocation& place);
 
 // Writes the node's values into the options they name. Keys that no option has are left for other
 // readers; check_all_used refuses what is left in the end.

@@ -112,7 +112,7 @@ std::string with_article(std::string_view noun) {
 
 }  // namespace
 
-double parse_quantity(std::string_view text, Unit unit, const Place& place) {
+double parse_quantity(std::string_view text, Unit unit, const SourceLocation& place) {
   const std::string_view stripped = without_blanks(text);
   const std::string shown = in_quotes(stripped);
   // from_chars takes no leading '+' and does take "nan" and "inf"

@@ -11,7 +11,7 @@
 namespace mapbed {
 namespace {
 
-const Place kPlace{"x.yaml", 3};
+const SourceLocation kPlace{"x.yaml", 3};
 
 double parse(std::string_view text, Unit unit) {
   return parse_quantity(text, unit, kPlace);

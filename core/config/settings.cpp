@@ -76,7 +76,7 @@ bool is_group(const std::string& path, const OptionList& options) {
 }  // namespace
 
 Setting parse_setting(const std::string& assignment) {
-  const Place place{"--set " + assignment, 0};
+  const SourceLocation place{"--set " + assignment, 0};
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) {
     throw InputError(place, "there is no '='", "write path=value, e.g. 'seeds=10'");

@@ -13,7 +13,7 @@ namespace mapbed {
 struct Setting {
   std::string path;  // "robot.odometry.rotation_sigma"
   std::string text;  // "2 deg", "[1 cm, 2 cm]", "counting"
-  Place place;
+  SourceLocation place;
 };
 
 // What a file or `--set path=value` says; only what differs from the defaults.

@@ -20,7 +20,7 @@ constexpr std::size_t kLongestKey = 200;
 // let ten lines stand for a billion values.
 class TreeBuilder : public YAML::EventHandler {
  public:
-  explicit TreeBuilder(const Place& start) : start_(start) {}
+  explicit TreeBuilder(const SourceLocation& start) : start_(start) {}
 
   // The whole document; an empty map if there was none.
   ConfigNode result() && {
@@ -74,7 +74,7 @@ class TreeBuilder : public YAML::EventHandler {
     add(ConfigNode(std::move(done.keys), std::move(done.children), done.place));
   }
 
-  Place at(const YAML::Mark& mark) const {
+  SourceLocation at(const YAML::Mark& mark) const {
     return {start_.file, start_.line + std::max(mark.line, 0)};
   }
 
@@ -82,12 +82,12 @@ class TreeBuilder : public YAML::EventHandler {
   // A list or map whose end has not come yet.
   struct Open {
     ConfigNode::Kind kind = ConfigNode::Kind::value;
-    Place place;
+    SourceLocation place;
     std::vector<std::string> keys;
     std::vector<ConfigNode> children;
     std::unordered_set<std::string> seen;
     bool has_key = false;  // a key that waits for its value
-    Place key_place;
+    SourceLocation key_place;
   };
 
   bool expects_key() const {
@@ -105,7 +105,7 @@ class TreeBuilder : public YAML::EventHandler {
     throw InputError(at(mark), "the tag " + in_quotes(tag) + " is not read here", "take it out");
   }
 
-  void add_key(const std::string& key, const Place& place) {
+  void add_key(const std::string& key, const SourceLocation& place) {
     Open& parent = open_.back();
     if (key.empty()) throw InputError(place, "an empty key");
     if (key.size() > kLongestKey)
@@ -150,7 +150,7 @@ class TreeBuilder : public YAML::EventHandler {
     return done;
   }
 
-  Place start_;
+  SourceLocation start_;
   std::vector<Open> open_;
   std::vector<ConfigNode> root_;  // at most one
 };
@@ -170,14 +170,14 @@ std::size_t utf8_length(std::string_view text) {
   return length;
 }
 
-void check_is_text(std::string_view yaml, const Place& start) {
+void check_is_text(std::string_view yaml, const SourceLocation& start) {
   long line = start.line;
   for (std::size_t i = 0; i < yaml.size();) {
     const auto byte = static_cast<unsigned char>(yaml[i]);
     const bool blank = byte == '\n' || byte == '\r' || byte == '\t';
     const std::size_t length = utf8_length(yaml.substr(i));
     if (length == 0 || (byte < 0x20 && !blank) || byte == 0x7f) {
-      throw InputError(Place{start.file, line},
+      throw InputError(SourceLocation{start.file, line},
                        "this is no text (byte " + std::to_string(byte) + ")",
                        "a configuration file is YAML in UTF-8");
     }
@@ -188,9 +188,10 @@ void check_is_text(std::string_view yaml, const Place& start) {
 
 }  // namespace
 
-ConfigNode parse_config(std::string_view yaml, const Place& place) {
+ConfigNode parse_config(std::string_view yaml, const SourceLocation& place) {
   if (yaml.size() > kLargestFile) {
-    throw InputError(Place{place.file, 0}, "is larger than 1 MB", "is it a configuration file?");
+    throw InputError(SourceLocation{place.file, 0}, "is larger than 1 MB",
+                     "is it a configuration file?");
   }
   check_is_text(yaml, place);
   TreeBuilder builder(place);

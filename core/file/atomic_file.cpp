@@ -30,7 +30,8 @@ std::string new_file_beside(const std::string& path) {
       return unfinished;
     }
     if (errno == EEXIST) continue;
-    throw InputError(Place{path}, "cannot be written: " + std::string(std::strerror(errno)),
+    throw InputError(SourceLocation{path},
+                     "cannot be written: " + std::string(std::strerror(errno)),
                      "is there such a folder, and may you write to it?");
   }
 }
@@ -38,9 +39,10 @@ std::string new_file_beside(const std::string& path) {
 }  // namespace
 
 AtomicFile::AtomicFile(const std::string& path) : path_(path) {
-  if (fs::is_directory(path)) throw InputError(Place{path}, "is a folder", "name a file in it");
+  if (fs::is_directory(path))
+    throw InputError(SourceLocation{path}, "is a folder", "name a file in it");
   if (fs::exists(path) && !fs::is_regular_file(path)) {
-    throw InputError(Place{path}, "is no regular file", "write to a file");
+    throw InputError(SourceLocation{path}, "is no regular file", "write to a file");
   }
   unfinished_ = new_file_beside(path);
   stream_.open(unfinished_, std::ios::binary);
@@ -55,9 +57,11 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::commit() {
   CHECK(!unfinished_.empty());
   stream_.close();
-  if (!stream_) throw InputError(Place{path_}, "cannot be written completely", "is the disk full?");
+  if (!stream_)
+    throw InputError(SourceLocation{path_}, "cannot be written completely", "is the disk full?");
   if (std::rename(unfinished_.c_str(), path_.c_str()) != 0) {
-    throw InputError(Place{path_}, "cannot be written: " + std::string(std::strerror(errno)));
+    throw InputError(SourceLocation{path_},
+                     "cannot be written: " + std::string(std::strerror(errno)));
   }
   unfinished_.clear();
 }

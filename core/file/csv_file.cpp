@@ -21,7 +21,7 @@ std::string quoted(const std::string& field) {
 // Cuts the first row off `text`; `line` goes on to the one behind it.
 CsvRow next_row(std::string_view& text, const std::string& name, long& line) {
   CsvRow row(1);
-  const Place place{name, line};
+  const SourceLocation place{name, line};
   bool in_quotes = false;
   std::size_t at = 0;
   for (; at < text.size(); ++at) {
@@ -63,7 +63,7 @@ std::string csv_text(const std::vector<CsvRow>& rows) {
 std::vector<CsvRow> parse_csv(const std::string& name, std::string_view text) {
   std::vector<CsvRow> rows;
   for (long line = 1; !text.empty();) {
-    const Place place{name, line};
+    const SourceLocation place{name, line};
     rows.push_back(next_row(text, name, line));
     if (rows.back().size() != rows.front().size()) {
       throw InputError(place, fmt::format("{} fields where the first line has {}",

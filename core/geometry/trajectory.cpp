@@ -9,10 +9,10 @@ std::optional<Pose2> pose_at(const Trajectory& trajectory, double time) {
     return {};
   const auto after =
       std::upper_bound(trajectory.begin(), trajectory.end(), time,
-                       [](double t, const StampedPose& stamped) { return t < stamped.time; });
+                       [](double t, const Stamped<Pose2>& stamped) { return t < stamped.time; });
   if (after == trajectory.end()) return trajectory.back().pose;
-  const StampedPose& a = *(after - 1);
-  const StampedPose& b = *after;
+  const Stamped<Pose2>& a = *(after - 1);
+  const Stamped<Pose2>& b = *after;
   return interpolate(a.pose, b.pose, (time - a.time) / (b.time - a.time));
 }
 

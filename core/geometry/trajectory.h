@@ -4,16 +4,12 @@
 #include <vector>
 
 #include "core/geometry/pose2.h"
+#include "core/geometry/stamped.h"
 
 namespace mapbed {
 
-struct StampedPose {
-  double time = 0.0;  // [s] absolute, as in the log
-  Pose2 pose;         // world_from_robot
-};
-
 // A path: poses in order of time; equal stamps are allowed (the later one in the list is newer).
-using Trajectory = std::vector<StampedPose>;
+using Trajectory = std::vector<Stamped<Pose2>>;
 
 // The pose at a time, linearly between its neighbours (interpolate()); none before the first and
 // after the last pose, and for an empty trajectory.

@@ -13,7 +13,7 @@
 namespace mapbed {
 namespace {
 
-std::vector<double> numbers_of(std::string_view line, const Place& place) {
+std::vector<double> numbers_of(std::string_view line, const SourceLocation& place) {
   std::vector<double> numbers;
   for (auto word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line)) {
     double number = 0.0;
@@ -30,7 +30,7 @@ double heading(double x, double y, double z, double w) {
   return std::atan2(2.0 * (x * y + w * z), 1.0 - 2.0 * (y * y + z * z));
 }
 
-StampedPose pose_of(const std::vector<double>& n, const Place& place) {
+Stamped<Pose2> pose_of(const std::vector<double>& n, const SourceLocation& place) {
   if (n.size() == 4) return {n[0], {n[1], n[2], normalized_angle(n[3])}};
   if (n.size() != 8)
     throw InputError(place, fmt::format("has {} numbers", n.size()),
@@ -46,7 +46,7 @@ StampedPose pose_of(const std::vector<double>& n, const Place& place) {
 
 Trajectory parse_trajectory(const std::string& name, std::string_view text) {
   Trajectory trajectory;
-  Place place{name, 0};
+  SourceLocation place{name, 0};
   while (!text.empty()) {
     ++place.line;
     const std::string_view line = next_line(text);
@@ -56,8 +56,9 @@ Trajectory parse_trajectory(const std::string& name, std::string_view text) {
   }
   if (trajectory.empty())
     throw InputError({name}, "holds no pose", "lines are `t x y z qx qy qz qw` or `t x y theta`");
-  std::stable_sort(trajectory.begin(), trajectory.end(),
-                   [](const StampedPose& a, const StampedPose& b) { return a.time < b.time; });
+  std::stable_sort(
+      trajectory.begin(), trajectory.end(),
+      [](const Stamped<Pose2>& a, const Stamped<Pose2>& b) { return a.time < b.time; });
   return trajectory;
 }
 

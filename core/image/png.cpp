@@ -48,14 +48,14 @@ std::string encoded(const Image<Pixel>& picture) {
 template <class Pixel>
 Image<Pixel> decoded(std::string_view bytes, const std::string& name) {
   const auto fail = [&](const Description& png) {
-    throw InputError(Place{name},
+    throw InputError(SourceLocation{name},
                      "cannot be read as a PNG picture (" + std::string(png.image.message) + ")",
                      "it is damaged, cut short or of another kind");
   };
   Description png;
   if (png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size()) == 0) fail(png);
   if (std::uint64_t{png.image.width} * png.image.height > kMostPixels) {
-    throw InputError(Place{name},
+    throw InputError(SourceLocation{name},
                      "is a picture of " + std::to_string(png.image.width) + " x " +
                          std::to_string(png.image.height) + " pixels",
                      "that is more than can be used here");

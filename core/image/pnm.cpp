@@ -36,7 +36,7 @@ class NumberReader {
     long value = 0;
     const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
     if (error != std::errc() || value < low || value > high) {
-      throw InputError(Place{name_},
+      throw InputError(SourceLocation{name_},
                        std::string(meaning) + " is missing or not between " + std::to_string(low) +
                            " and " + std::to_string(high),
                        "the picture is damaged, cut short or of another kind");
@@ -68,12 +68,13 @@ class NumberReader {
 void read_channels(NumberReader& reader, bool plain, long most, const std::string& name,
                    std::uint8_t* channels, std::size_t count) {
   if (!plain && reader.rest().size() < count + 1) {  // a single blank ends the header
-    throw InputError(Place{name}, "ends in the middle of the picture", "it was cut short");
+    throw InputError(SourceLocation{name}, "ends in the middle of the picture", "it was cut short");
   }
   for (std::size_t i = 0; i < count; ++i) {
     const long value =
         plain ? reader.next("a pixel", 0, most) : static_cast<unsigned char>(reader.rest()[i + 1]);
-    if (value > most) throw InputError(Place{name}, "has a pixel above the largest value it names");
+    if (value > most)
+      throw InputError(SourceLocation{name}, "has a pixel above the largest value it names");
     channels[i] = static_cast<std::uint8_t>((value * 255 + most / 2) / most);
   }
 }
@@ -83,7 +84,7 @@ Image<Pixel> decoded(std::string_view bytes, const std::string& name, char plain
                      char binary_digit, const char* kind) {
   const bool known =
       bytes.size() > 2 && bytes[0] == 'P' && (bytes[1] == plain_digit || bytes[1] == binary_digit);
-  if (!known) throw InputError(Place{name}, std::string("is no ") + kind + " picture");
+  if (!known) throw InputError(SourceLocation{name}, std::string("is no ") + kind + " picture");
   const bool plain = bytes[1] == plain_digit;
   NumberReader reader(bytes.substr(2), name);
   const long width = reader.next("the width", 1, kLongestSide);
@@ -93,7 +94,7 @@ Image<Pixel> decoded(std::string_view bytes, const std::string& name, char plain
   // has to be there before memory is taken for it.
   const std::size_t count = static_cast<std::size_t>(width * height) * sizeof(Pixel);
   if (width * height > kMostPixels || reader.rest().size() < (plain ? count * 2 : count)) {
-    throw InputError(Place{name}, "is not as long as its header says", "it was cut short");
+    throw InputError(SourceLocation{name}, "is not as long as its header says", "it was cut short");
   }
   Image<Pixel> image(static_cast<int>(width), static_cast<int>(height));
   read_channels(reader, plain, most, name, reinterpret_cast<std::uint8_t*>(image.pixels().data()),

@@ -181,7 +181,7 @@ void LogBuilder::forget_scans() {
   scans_ = 0;
 }
 
-void LogBuilder::add_true_pose(const StampedPose& pose, long line) {
+void LogBuilder::add_true_pose(const Stamped<Pose2>& pose, long line) {
   if (!std::isfinite(pose.time) || !is_finite(pose.pose)) {
     broken(line, "true pose that is no pose: left out");
     return;
@@ -205,8 +205,8 @@ void LogBuilder::complete_geometry() {
     if (scan == nullptr) return false;
     const auto& mount =
         scan->laser == 1 ? options_.robot_from_rear_laser : options_.robot_from_laser;
-    if (std::isnan(scan->robot_from_laser.x) || (scan->laser <= 1 && !mount.empty()))
-      scan->robot_from_laser = mount_of(scan->laser, log_, options_);
+    if (std::isnan(scan->robot_from_laser.planar.x) || (scan->laser <= 1 && !mount.empty()))
+      scan->robot_from_laser.planar = mount_of(scan->laser, log_, options_);
     if (scan->bearing_step != 0.0 && !given) return false;
     const auto bearings = bearings_of(scan->ranges.size(), scan->laser, log_, options_);
     if (!bearings) {

@@ -26,7 +26,7 @@ class LogBuilder {
   const LogOptions& options() const { return options_; }
   void add(Odometry odometry, long line);
   void add(LaserScan scan, long line);
-  void add_true_pose(const StampedPose& pose, long line);
+  void add_true_pose(const Stamped<Pose2>& pose, long line);
   void set_parameter(std::string name, std::string value);
   void broken(long line, const std::string& reason);  // a message was left out
   void warn(long line, const std::string& reason);    // a message was read, with a remark

@@ -51,7 +51,7 @@ TEST_F(Description, OpensItsLogWithItsOptionsAndThoseThatOverrideThem) {
   const RecordedLog log = open_log(path);
   const auto& scan = std::get<LaserScan>(log.measurements.at(1));
   EXPECT_NEAR(scan.first_bearing, -kPi / 4, 1e-12);
-  EXPECT_EQ(scan.robot_from_laser.x, 0.5);
+  EXPECT_EQ(scan.robot_from_laser.planar.x, 0.5);
   const RecordedLog other = open_log(path, {parse_setting("max_range=4 m")});
   EXPECT_EQ(std::get<LaserScan>(other.measurements.at(1)).max_range, 4.0);
 }
@@ -160,7 +160,7 @@ TEST_P(SampleLog, ReadsAsItsNotesSay) {
     ASSERT_NEAR(degrees(scan->first_bearing), sample.first_bearing, 1e-3);
     ASSERT_NEAR(degrees(scan->bearing_step), sample.bearing_step, 1e-5);
     ASSERT_EQ(scan->max_range, sample.max_range);
-    ASSERT_EQ(scan->robot_from_laser, (Pose2{sample.laser_ahead, 0, 0}));
+    ASSERT_EQ(scan->robot_from_laser.planar, (Pose2{sample.laser_ahead, 0, 0}));
   }
   EXPECT_EQ(scans, sample.scans);
   EXPECT_EQ(odometry, sample.has_odometry ? scans : 0);

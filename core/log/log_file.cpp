@@ -106,7 +106,7 @@ void keep_beginning(RecordedLog& log, const std::string& name, double longest) {
   if (longest <= 0.0) return;
   const double end = time_of(log.measurements.front()) + longest;
   std::erase_if(log.measurements, [end](const Measurement& m) { return time_of(m) > end; });
-  std::erase_if(log.true_poses, [end](const StampedPose& pose) { return pose.time > end; });
+  std::erase_if(log.true_poses, [end](const Stamped<Pose2>& pose) { return pose.time > end; });
   const bool has_scan =
       std::any_of(log.measurements.begin(), log.measurements.end(),
                   [](const Measurement& m) { return std::holds_alternative<LaserScan>(m); });

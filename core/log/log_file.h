@@ -24,8 +24,8 @@ namespace mapbed {
 
 // Something odd that was read past.
 struct LogWarning {
-  Place place;         // of the first one
-  std::string reason;  // "truncated FLASER line: left out"
+  SourceLocation place;  // of the first one
+  std::string reason;    // "truncated FLASER line: left out"
   long count = 1;
 };
 

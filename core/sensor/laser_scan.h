@@ -2,18 +2,20 @@
 
 #include <vector>
 
-#include "core/geometry/pose2.h"
+#include "core/sensor/mount.h"
 
 namespace mapbed {
 
-// One sweep of a planar laser range finder.
+// One sweep of a laser range finder whose beams lie in one plane.
 struct LaserScan {
   double time = 0.0;  // [s] the log's own absolute stamp
   int laser =
       0;  // which of the robot's lasers: 0 front, 1 rear, further ones as the log counts them
-  Pose2 robot_from_laser;
+  Mount robot_from_laser;
   double first_bearing = 0.0;      // [rad] of ranges[0], in the laser frame
   double bearing_step = 0.0;       // [rad] from one beam to the next; positive: counter-clockwise
+  double beam_period = 0.0;        // [s] from one beam to the next, negative where the last comes
+                                   // first; 0: all at once, or nobody knows
   double max_range = 0.0;          // [m] a range of max_range or more means: nothing was hit
   std::vector<double> ranges;      // [m] 0 or less: the beam failed and says nothing at all
   std::vector<double> remissions;  // reflected intensity as the log has it; empty where it has none

@@ -36,7 +36,7 @@ RecordedLog example_log() {
     odometry.forward_velocity = rounded(odometry.forward_velocity, 1e3);
     odometry.turn_velocity = rounded(odometry.turn_velocity, 1e3);
   }
-  for (StampedPose& truth : log.true_poses) truth.pose = rounded(truth.pose);
+  for (Stamped<Pose2>& truth : log.true_poses) truth.pose = rounded(truth.pose);
   return log;
 }
 

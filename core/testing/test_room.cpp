@@ -152,7 +152,7 @@ LaserScan scan_of(const TestRoom& room, const Pose2& map_from_robot, const TestL
                   double time) {
   LaserScan scan;
   scan.time = time;
-  scan.robot_from_laser = laser.robot_from_laser;
+  scan.robot_from_laser.planar = laser.robot_from_laser;
   scan.first_bearing = laser.first_bearing;
   scan.bearing_step = laser.bearing_step;
   scan.max_range = laser.max_range;

@@ -78,7 +78,7 @@ TEST(DriveThrough, WithoutNoiseOdometryIsTheTruthSeenFromItsStart) {
 TEST(ExamplePlace, TheTourKeepsARobotsRadiusFromAllWalls) {
   const TestRoom place = example_place();
   const RecordedLog log = drive_through(place, example_tour(), {}, Rng(1));
-  for (const StampedPose& p : log.true_poses)
+  for (const Stamped<Pose2>& p : log.true_poses)
     for (int i = 0; i < 360; i += 5)
       ASSERT_GT(place.distance_to_wall(p.pose.position(), radians(i)), 0.3)
           << p.pose.x << " " << p.pose.y;

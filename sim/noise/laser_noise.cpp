@@ -166,7 +166,7 @@ LaserScan with_noise(const IdealScan& ideal, const MountedLaser& laser, const Rn
   LaserScan scan;
   scan.time = ideal.time;
   scan.laser = ideal.laser;
-  scan.robot_from_laser = laser.robot_from_laser;
+  scan.robot_from_laser = {.planar = laser.robot_from_laser, .z = laser.height};
   scan.first_bearing = model.first_bearing;
   scan.bearing_step = model.bearing_step;
   scan.max_range = model.max_range;

@@ -9,7 +9,7 @@
 namespace mapbed {
 namespace {
 
-Eigen::Vector3d vertex(std::string_view line, const Place& place) {
+Eigen::Vector3d vertex(std::string_view line, const SourceLocation& place) {
   Eigen::Vector3d result;
   for (int axis = 0; axis < 3; ++axis) {
     if (!parse_number(next_word(line), result[axis]) || std::abs(result[axis]) > 1e6) {
@@ -20,7 +20,8 @@ Eigen::Vector3d vertex(std::string_view line, const Place& place) {
 }
 
 // Corners as indices from 1, or from the last vertex backwards; what follows a '/' is left out.
-std::vector<std::uint32_t> face(std::string_view line, std::size_t vertices, const Place& place) {
+std::vector<std::uint32_t> face(std::string_view line, std::size_t vertices,
+                                const SourceLocation& place) {
   std::vector<std::uint32_t> corners;
   for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
     double index = 0.0;
@@ -44,7 +45,7 @@ TriangleMesh load_obj(const std::string& path) {
   TriangleMesh mesh;
   std::string_view rest = text;
   for (long number = 1; !rest.empty(); ++number) {
-    const Place place{path, number};
+    const SourceLocation place{path, number};
     std::string_view line = next_line(rest);
     const std::string_view keyword = next_word(line);
     if (keyword == "v") mesh.vertices.push_back(vertex(line, place));

@@ -25,7 +25,7 @@ struct PlanFile {
   double occupied_from;  // share of black
 };
 
-GrayImage read_image(const std::string& path, const Place& place) {
+GrayImage read_image(const std::string& path, const SourceLocation& place) {
   const std::string ending = std::filesystem::path(path).extension().string();
   if (ending == ".pgm") return read_pgm(path);
   if (ending == ".png") return read_gray_png(path);

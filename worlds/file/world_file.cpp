@@ -53,7 +53,7 @@ class WorldReader {
                        node != nullptr ? node->place() : map.place());
   }
 
-  int material_of(const std::string& name, const Place& place) const {
+  int material_of(const std::string& name, const SourceLocation& place) const {
     std::vector<std::string> names;
     for (const Material& known : world_.materials) names.push_back(known.name);
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -240,7 +240,7 @@ class WorldReader {
   }
 
   template <class Check>
-  static void check_at(const Place& place, Check check) {
+  static void check_at(const SourceLocation& place, Check check) {
     try {
       check();
     } catch (const InputError& error) {

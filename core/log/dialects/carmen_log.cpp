@@ -78,7 +78,7 @@ class CarmenReader : public LogReader {
   void read_laser(Fields& fields, int laser) {
     LaserScan scan;
     scan.laser = laser;
-    scan.robot_from_laser = kMountToBeTold;
+    scan.robot_from_laser.planar = kMountToBeTold;
     scan.ranges = fields.counted_numbers();
     read_pose(fields);
     const Pose2 odometry = read_pose(fields);
@@ -97,7 +97,7 @@ class CarmenReader : public LogReader {
     for (int i = 0; i < 3; ++i) fields.number();  // safety distances, turn axis
     odometry.time = scan.time = read_stamp(fields);
     if (!complete(fields, "ROBOTLASER") || !sensible(scan)) return;
-    scan.robot_from_laser =
+    scan.robot_from_laser.planar =
         to_micrometers(inverse(odometry.odometry_from_robot) * odometry_from_laser);
     add(odometry, std::move(scan));
   }
@@ -105,7 +105,7 @@ class CarmenReader : public LogReader {
   // The same without a pose. The logger writes both where it is told so: then these are left.
   void read_raw_laser(Fields& fields, int laser) {
     LaserScan scan = read_scan(fields, laser);
-    scan.robot_from_laser = kMountToBeTold;
+    scan.robot_from_laser.planar = kMountToBeTold;
     scan.time = read_stamp(fields);
     if (has_robot_scans_) return skip("RAWLASER");
     if (!complete(fields, "RAWLASER") || !sensible(scan)) return;
@@ -163,7 +163,7 @@ class CarmenReader : public LogReader {
   }
 
   void read_true_pose(Fields& fields) {
-    StampedPose truth;
+    Stamped<Pose2> truth;
     truth.pose = read_pose(fields);
     read_pose(fields);
     truth.time = read_stamp(fields);

@@ -66,7 +66,7 @@ TEST(CarmenLog, ARobotlaserLineHasItsOwnGeometryAndVelocities) {
   EXPECT_EQ(scan.bearing_step, 0.75);
   EXPECT_THAT(scan.ranges, ElementsAre(1.5, 2, 3, 4, 81.9));
   EXPECT_THAT(scan.remissions, ElementsAre(10, 20, 30, 40, 50));
-  EXPECT_THAT(scan.robot_from_laser,
+  EXPECT_THAT(scan.robot_from_laser.planar,
               IsNear(Pose2{0.5 * std::cos(0.1), -0.5 * std::sin(0.1), 0}, Tolerance{1e-6, 1e-6}));
   EXPECT_TRUE(scan.is_max_range(4));
   EXPECT_EQ(scan.max_range, 50.0);
@@ -77,7 +77,7 @@ TEST(CarmenLog, ARearLaserLooksBack) {
   line[0] = 'R';
   const RecordedLog log = parse_log("a.log", "PARAM robot_rearlaser_offset -0.3 host 0\n" + line);
   EXPECT_EQ(scan_at(log, 1).laser, 1);
-  EXPECT_THAT(scan_at(log, 1).robot_from_laser,
+  EXPECT_THAT(scan_at(log, 1).robot_from_laser.planar,
               IsNear(Pose2{-0.3, 0, kPi}, Tolerance{1e-12, 1e-12}));
 }
 
@@ -93,7 +93,7 @@ TEST(CarmenLog, ReadsOdometryTruthParametersAndPassesOverTheRest) {
   ASSERT_EQ(log.true_poses.size(), 1u);
   EXPECT_EQ(log.true_poses[0].time, 12.25);
   EXPECT_THAT(log.true_poses[0].pose, IsNear(Pose2{5, 6, 7 - 2 * kPi}, Tolerance{0, 1e-12}));
-  EXPECT_EQ(scan_at(log, 2).robot_from_laser.x, 0.2);
+  EXPECT_EQ(scan_at(log, 2).robot_from_laser.planar.x, 0.2);
   EXPECT_EQ(log.parameters.at("robot_frontlaser_offset"), "0.2");
   ASSERT_EQ(log.warnings.size(), 2u);
   EXPECT_EQ(to_string(log.warnings[0]), "a.log:4: SYNC messages are not used");
@@ -148,7 +148,8 @@ void expect_equal(const RecordedLog& read, const RecordedLog& written) {
     EXPECT_EQ(a.max_range, b.max_range);
     EXPECT_NEAR(a.first_bearing, b.first_bearing, 1e-14);
     EXPECT_NEAR(a.bearing_step, b.bearing_step, 1e-15);
-    EXPECT_THAT(a.robot_from_laser, IsNear(b.robot_from_laser, Tolerance{1e-12, 1e-12}));
+    EXPECT_THAT(a.robot_from_laser.planar,
+                IsNear(b.robot_from_laser.planar, Tolerance{1e-12, 1e-12}));
   }
 }
 

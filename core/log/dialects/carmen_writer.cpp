@@ -47,7 +47,7 @@ void write_geometry(Writer& out, const LaserScan& scan) {
 void write_robotlaser(Writer& out, const LaserScan& scan, const Odometry& odometry) {
   out.print("ROBOTLASER");
   write_geometry(out, scan);
-  out.pose(odometry.odometry_from_robot * scan.robot_from_laser);
+  out.pose(odometry.odometry_from_robot * scan.robot_from_laser.planar);
   out.pose(odometry.odometry_from_robot);
   out.print(" {} {} 0 0 0", odometry.forward_velocity, odometry.turn_velocity);
   out.stamp(scan.time);
@@ -62,7 +62,7 @@ void write_rawlaser(Writer& out, const LaserScan& scan) {
 void write_flaser(Writer& out, const LaserScan& scan, const Odometry& odometry) {
   out.print("{}", scan.laser == 1 ? "RLASER" : "FLASER");
   out.numbers(scan.ranges);
-  out.pose(odometry.odometry_from_robot * scan.robot_from_laser);
+  out.pose(odometry.odometry_from_robot * scan.robot_from_laser.planar);
   out.pose(odometry.odometry_from_robot);
   out.stamp(scan.time);
 }
@@ -74,7 +74,7 @@ void write_odometry(Writer& out, const Odometry& odometry) {
   out.stamp(odometry.time);
 }
 
-void write_true_pose(Writer& out, const StampedPose& truth, const Odometry& odometry) {
+void write_true_pose(Writer& out, const Stamped<Pose2>& truth, const Odometry& odometry) {
   out.print("TRUEPOS");
   out.pose(truth.pose);
   out.pose(odometry.odometry_from_robot);
@@ -92,7 +92,7 @@ std::map<int, const LaserScan*> lasers_of(const RecordedLog& log) {
 // What the lines themselves do not say of a laser.
 void set_parameters(std::map<std::string, std::string>& parameters, const LaserScan& scan) {
   const std::string mount = fmt::format("robot_{}laser_", side(scan.laser));
-  const Pose2& pose = scan.robot_from_laser;
+  const Pose2& pose = scan.robot_from_laser.planar;
   parameters[mount + "offset"] = fmt::format("{}", pose.x);
   parameters[mount + "side_offset"] = fmt::format("{}", pose.y);
   parameters[mount + "angular_offset"] =

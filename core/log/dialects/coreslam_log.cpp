@@ -40,7 +40,7 @@ class CoreslamReader : public LogReader {
     const double right = recent ? number_at(3) : -number_at(2);
     LaserScan scan;
     scan.time = time;
-    scan.robot_from_laser.x = kLaserAhead;
+    scan.robot_from_laser.planar.x = kLaserAhead;
     scan.first_bearing = kFirst;
     scan.bearing_step = kStep;
     scan.max_range = kMaxRange;

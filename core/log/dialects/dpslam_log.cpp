@@ -49,7 +49,7 @@ class DpslamReader : public LogReader {
   void read_laser(Fields& fields, long number) {
     LaserScan scan;
     scan.time = now();
-    scan.robot_from_laser = kMountToBeTold;
+    scan.robot_from_laser.planar = kMountToBeTold;
     scan.ranges = fields.counted_numbers();
     if (!fields.ok()) return builder_.broken(number, "truncated Laser line: left out");
     builder_.add(std::move(scan), number);

@@ -24,7 +24,7 @@ class ScanListReader : public LogReader {
     if (!fields.ok()) return builder_.broken(number, "truncated or garbled scan: left out");
     if (!fields.at_end())
       return builder_.broken(number, "scan with more ranges than it says: left out");
-    scan.robot_from_laser = kMountToBeTold;
+    scan.robot_from_laser.planar = kMountToBeTold;
     scan.first_bearing = first_bearing_;
     scan.bearing_step = bearing_step_;
     scan.max_range = max_range_;
