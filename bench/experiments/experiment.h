@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "bench/metrics/relations.h"
+#include "bench/results/result_file.h"
 #include "bench/results/results.h"
+#include "bench/results/series.h"
 #include "core/config/settings.h"
 #include "core/geometry/trajectory.h"
 #include "core/log/sensor_log.h"
@@ -38,18 +40,13 @@ struct RunInput {
 // Without what comes later than `longest` [s] after the log's start; 0: all of it.
 RunInput shortened(RunInput input, double longest);
 
-// A file of a run's own, "maps/raw.png".
-struct ResultFile {
-  std::string path;
-  std::string content;
-};
-
 struct RunOutcome {
   // By name; one that is left out has no value in this run.
   std::vector<std::pair<std::string, double>> values;
   std::string failure;          // in one line, for a run that did not come to what it should
   double method_seconds = 0.0;  // [s] of processor time of the method alone; 0: not told
   std::vector<ResultFile> files;
+  std::vector<Series> series;  // those of Experiment::series, where the run has them
 };
 
 // What a scenario's runs do. A new one is a file in this folder and a line in the table.
@@ -61,6 +58,7 @@ struct Experiment {
   // Applies settings to the options, which it gives back in full; throws InputError.
   std::function<std::string(const Settings&)> complete_yaml;
   std::function<RunOutcome(const Settings&, const RunInput&)> run;
+  std::vector<SeriesMetric> series = {};  // what its runs give over iterations or time
 };
 
 const std::vector<Experiment>& experiments();

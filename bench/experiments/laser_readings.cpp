@@ -155,9 +155,9 @@ std::pair<std::size_t, std::size_t> window_of(const ReadingShares& shares) {
 }
 
 // A value for each reading of the window.
-Series series_of(const std::string& name, const ReadingShares& shares, const Comparison& c,
-                 Mark mark) {
-  Series series{.name = name, .mark = mark};
+PlotSeries series_of(const std::string& name, const ReadingShares& shares, const Comparison& c,
+                     Mark mark) {
+  PlotSeries series{.name = name, .mark = mark};
   const auto [first, last] = window_of(c.specified);
   for (std::size_t k = first; k <= last; ++k) {
     series.x.push_back(static_cast<double>(k) * c.laser.noise.step);
@@ -167,7 +167,7 @@ Series series_of(const std::string& name, const ReadingShares& shares, const Com
 }
 
 // Points with the 95 % interval of a share of so many readings.
-void add_intervals(Series& series, double readings) {
+void add_intervals(PlotSeries& series, double readings) {
   for (const double share : series.y) {
     const double half = 1.96 * std::sqrt(share * (1.0 - share) / readings);
     series.low.push_back(std::max(0.0, share - half));
@@ -239,8 +239,8 @@ double pane_share(const ReadingShares& shares, double border, double step) {
 RunOutcome run_by_angle(LaserReadingsOptions o, const RunInput& input) {
   const std::vector<double> angles{0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 25, 30, 40, 50, 60, 70};
   o.readings /= static_cast<int>(angles.size());
-  Series specified{.name = "specified"};
-  Series found{.name = "simulated", .mark = Mark::points};
+  PlotSeries specified{.name = "specified"};
+  PlotSeries found{.name = "simulated", .mark = Mark::points};
   double squares = 0.0;
   for (std::size_t i = 0; i < angles.size(); ++i) {
     o.incidence = radians(angles[i]);

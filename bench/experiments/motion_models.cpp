@@ -130,9 +130,9 @@ Ellipse ellipse_of(const std::vector<Pose2>& cloud) {
   return ellipse;
 }
 
-Series dots_of(const std::string& name, const Clouds& clouds) {
+PlotSeries dots_of(const std::string& name, const Clouds& clouds) {
   constexpr std::size_t kDrawn = 150;  // of each cloud
-  Series series{.name = name, .mark = Mark::dots};
+  PlotSeries series{.name = name, .mark = Mark::dots};
   for (const std::vector<Pose2>& cloud : clouds) {
     for (std::size_t i = 0; i < std::min(kDrawn, cloud.size()); ++i) {
       series.x.push_back(cloud[i].x);
@@ -142,8 +142,8 @@ Series dots_of(const std::string& name, const Clouds& clouds) {
   return series;
 }
 
-Series outline_of(const std::string& name, const Ellipse& ellipse, int like) {
-  Series series{.name = name, .mark = Mark::path, .like = like};
+PlotSeries outline_of(const std::string& name, const Ellipse& ellipse, int like) {
+  PlotSeries series{.name = name, .mark = Mark::path, .like = like};
   for (int i = 0; i <= 72; ++i) {
     const double angle = radians(5.0 * i);
     const Eigen::Vector2d point =
@@ -155,8 +155,8 @@ Series outline_of(const std::string& name, const Ellipse& ellipse, int like) {
   return series;
 }
 
-Series true_path(std::span<const MotionSample> moves) {
-  Series series{.name = "true path", .x = {0.0}, .y = {0.0}};
+PlotSeries true_path(std::span<const MotionSample> moves) {
+  PlotSeries series{.name = "true path", .x = {0.0}, .y = {0.0}};
   Pose2 pose;
   for (const MotionSample& move : moves) {
     pose = pose * move.reference;

@@ -64,7 +64,7 @@ double tenths(double value) {
   return std::round(10.0 * value) / 10.0;
 }
 
-void append(const Trajectory& path, const Pose2& world_from_path, Series& series) {
+void append(const Trajectory& path, const Pose2& world_from_path, PlotSeries& series) {
   for (const Stamped<Pose2>& stamped : thinned(path, kFinest)) {
     const Pose2 pose = world_from_path * stamped.pose;
     series.x.push_back(rounded(pose.x));
@@ -93,7 +93,7 @@ std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajecto
                                     const Pose2& world_from_map, double seconds,
                                     const std::string& label) {
   if (hypotheses.branches.empty()) return {};
-  Series particles{.name = "paths of all particles", .mark = Mark::path};
+  PlotSeries particles{.name = "paths of all particles", .mark = Mark::path};
   for (const Trajectory& branch : hypotheses.branches) append(branch, world_from_map, particles);
   const double now = hypotheses.branches.front().back().time;
   Trajectory so_far;
@@ -102,7 +102,7 @@ std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajecto
   for (std::size_t i = 0; i < truth.size() && truth[i].time <= now; i += every) {
     so_far.push_back(truth[i]);
   }
-  Series true_path{.name = so_far.empty() ? "" : "true path", .mark = Mark::path};
+  PlotSeries true_path{.name = so_far.empty() ? "" : "true path", .mark = Mark::path};
   append(so_far, Pose2{}, true_path);
   const std::string time = fmt::format("{:.0f}", seconds);
   const Plot plot{
@@ -119,8 +119,8 @@ std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajecto
 
 std::vector<ResultFile> diversity_figure(const Hypotheses& hypotheses, const std::string& label) {
   if (hypotheses.diversity.empty()) return {};
-  Series ancestors{.name = "ancestors of the particles at the end", .mark = Mark::path};
-  Series effective{.name = "effective number of particles", .mark = Mark::path};
+  PlotSeries ancestors{.name = "ancestors of the particles at the end", .mark = Mark::path};
+  PlotSeries effective{.name = "effective number of particles", .mark = Mark::path};
   const double start = hypotheses.diversity.front().time;
   const std::vector<Diversity>& updates = hypotheses.diversity;
   for (std::size_t i = 0; i < updates.size(); ++i) {

@@ -16,14 +16,14 @@
 namespace mapbed {
 namespace {
 
-bool stands_aside(const Plot& plot, const Series& series) {
+bool stands_aside(const Plot& plot, const PlotSeries& series) {
   return series.mark == Mark::bars || (series.mark == Mark::points && !plot.x.categories.empty());
 }
 
 // The least distance between two places; all of the area for a single place.
 double place_pitch(const PlotArea& area, const Plot& plot) {
   std::vector<double> places;
-  for (const Series& series : plot.series) {
+  for (const PlotSeries& series : plot.series) {
     if (!stands_aside(plot, series)) continue;
     for (const double x : series.x) {
       if (std::isfinite(area.px(x))) places.push_back(area.px(x));
@@ -38,7 +38,7 @@ double place_pitch(const PlotArea& area, const Plot& plot) {
 }
 
 void check(const Plot& plot) {
-  for (const Series& series : plot.series) {
+  for (const PlotSeries& series : plot.series) {
     const std::size_t size = series.x.size();
     CHECK(series.y.size() == size);
     CHECK(series.low.size() == series.high.size());
@@ -49,7 +49,7 @@ void check(const Plot& plot) {
 Scale x_scale_of(const Plot& plot) {
   std::vector<double> values;
   bool bars = false;
-  for (const Series& series : plot.series) {
+  for (const PlotSeries& series : plot.series) {
     values.insert(values.end(), series.x.begin(), series.x.end());
     bars = bars || series.mark == Mark::bars;
   }
@@ -73,7 +73,7 @@ Scale x_scale_of(const Plot& plot) {
 Scale y_scale_of(const Plot& plot) {
   std::vector<double> values;
   bool bars = false;
-  for (const Series& series : plot.series) {
+  for (const PlotSeries& series : plot.series) {
     for (const auto* list : {&series.y, &series.low, &series.high}) {
       values.insert(values.end(), list->begin(), list->end());
     }
@@ -90,7 +90,7 @@ std::string reference_stroke(std::size_t index) {
                      kReferenceDashes[index % kReferenceDashes.size()]);
 }
 
-// Series are told apart by this name in <defs>; two plots on one page do not share it.
+// PlotSeries are told apart by this name in <defs>; two plots on one page do not share it.
 std::string hatching_name(const std::string& plot_name, std::size_t index) {
   return fmt::format("bar-{}-{}", plot_name, index);
 }
@@ -103,7 +103,7 @@ SeriesStyle style_of(const Plot& plot, std::size_t series) {
 std::vector<LegendEntry> legend_of(const Plot& plot, const std::string& plot_name) {
   std::vector<LegendEntry> legend;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
-    const Series& series = plot.series[i];
+    const PlotSeries& series = plot.series[i];
     if (series.name.empty()) continue;
     legend.push_back(
         {series.name, legend_symbol(style_of(plot, i), series.mark, has_interval(series),
@@ -125,9 +125,9 @@ std::string data_svg(const Plot& plot, const PlotArea& area, const std::string& 
                        coordinate(area.right()), reference_stroke(i));
   }
   SidePlace place{.pitch = place_pitch(area, plot)};
-  for (const Series& series : plot.series) place.slots += stands_aside(plot, series) ? 1 : 0;
+  for (const PlotSeries& series : plot.series) place.slots += stands_aside(plot, series) ? 1 : 0;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
-    const Series& series = plot.series[i];
+    const PlotSeries& series = plot.series[i];
     const bool aside = stands_aside(plot, series);
     svg += "<g class=\"series\">\n";
     svg += drawing_of(series, area, style_of(plot, i), aside ? place : SidePlace{},
@@ -141,7 +141,7 @@ std::string data_svg(const Plot& plot, const PlotArea& area, const std::string& 
 // Numbers that a logarithmic axis has no place for are not dropped in silence.
 std::string said_of_hidden(const Plot& plot) {
   int hidden = 0;
-  for (const Series& series : plot.series) {
+  for (const PlotSeries& series : plot.series) {
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       const bool is_hidden =
           (plot.x.logarithmic && series.x[i] <= 0.0) || (plot.y.logarithmic && series.y[i] <= 0.0);
@@ -178,7 +178,7 @@ std::string svg_of(const Plot& plot) {
   std::string patterns;
   bool any = false;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
-    const Series& series = plot.series[i];
+    const PlotSeries& series = plot.series[i];
     if (series.mark == Mark::bars) {
       patterns += hatching_of(style_of(plot, i), hatching_name(name, i));
     }
@@ -206,7 +206,7 @@ std::string csv_of(const Plot& plot) {
     return named ? plot.x.categories[index] : csv_number(x);
   };
   std::string text = csv_line({"series", title_of(plot.x), title_of(plot.y), "low", "high"});
-  for (const Series& s : plot.series) {
+  for (const PlotSeries& s : plot.series) {
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       text += csv_line({s.name, place(s.x[i]), csv_number(s.y[i]),
                         s.low.empty() ? "" : csv_number(s.low[i]),

@@ -20,7 +20,7 @@ enum class Mark {
 };
 
 // Values over places. NaN is a gap: the line is broken there. A list of intervals may be empty.
-struct Series {
+struct PlotSeries {
   std::string name;
   std::vector<double> x;
   std::vector<double> y;          // as many as x
@@ -41,7 +41,7 @@ struct Plot {
   std::string subtitle;  // what was done to the data: "mean of 50 runs, band: 95 % bootstrap"
   Axis x;
   Axis y;
-  std::vector<Series> series;
+  std::vector<PlotSeries> series;
   std::vector<Reference> references = {};
   bool equal_scales = false;  // as on a map: a metre is as long along y as along x
 };

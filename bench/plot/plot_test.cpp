@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include "bench/plot/testing/well_formed.h"
 #include "bench/plot/series_style.h"
+#include "bench/plot/testing/well_formed.h"
 
 namespace mapbed {
 namespace {
@@ -56,7 +56,7 @@ TEST(Plot, BreaksALineWhereThereIsNoValue) {
 
 TEST(Plot, OfNoValuesSaysSo) {
   for (const Mark mark : {Mark::line, Mark::points, Mark::bars}) {
-    const Series nothing{.name = "a", .x = {0.0}, .y = {kNaN}, .mark = mark};
+    const PlotSeries nothing{.name = "a", .x = {0.0}, .y = {kNaN}, .mark = mark};
     const std::string svg = svg_of(Plot{.series = {nothing}});
     EXPECT_TRUE(is_well_formed(svg));
     EXPECT_THAT(svg, HasSubstr("no values"));
@@ -79,7 +79,7 @@ TEST(Plot, ZeroIsAGapOnALogarithmicAxis) {
 TEST(Plot, BarsOfOnePlaceStandSideBySideFromZero) {
   Plot plot = two_lines();
   plot.x.categories = {"museum", "office", "a corridor with a very long name"};
-  for (Series& series : plot.series) series.mark = Mark::bars;
+  for (PlotSeries& series : plot.series) series.mark = Mark::bars;
   plot.series[1].y = {-1.0, 1.0, kNaN};
   const std::string svg = svg_of(plot);
   EXPECT_TRUE(is_well_formed(svg));
@@ -127,7 +127,7 @@ double attribute_of_area(const std::string& svg, const std::string& name) {
 }
 
 TEST(Plot, WithEqualScalesASquareIsASquare) {
-  const Series square{.x = {0, 4, 4, 0, 0}, .y = {0, 0, 4, 4, 0}, .mark = Mark::path};
+  const PlotSeries square{.x = {0, 4, 4, 0, 0}, .y = {0, 0, 4, 4, 0}, .mark = Mark::path};
   const Plot plot{.x = {.low = 0.0, .high = 8.0},
                   .y = {.low = 0.0, .high = 4.0},
                   .series = {square},
@@ -138,13 +138,13 @@ TEST(Plot, WithEqualScalesASquareIsASquare) {
 }
 
 TEST(Plot, WithEqualScalesAHighPictureEndsInTime) {
-  const Series way{.x = {0, 1}, .y = {0, 100}, .mark = Mark::path};
+  const PlotSeries way{.x = {0, 1}, .y = {0, 100}, .mark = Mark::path};
   const std::string svg = svg_of(Plot{.series = {way}, .equal_scales = true});
   EXPECT_LE(attribute_of_area(svg, "height"), 440.0);
 }
 
 TEST(Plot, ACloudIsOnePath) {
-  Series cloud{.name = "cloud", .mark = Mark::dots};
+  PlotSeries cloud{.name = "cloud", .mark = Mark::dots};
   for (int i = 0; i < 50; ++i) {
     cloud.x.push_back(i % 7);
     cloud.y.push_back(i % 5);

@@ -37,7 +37,7 @@ std::string path_data(const std::vector<Point>& points) {
 }
 
 // One closed outline for each stretch without a gap.
-std::string band(const PlotArea& area, const Series& series, const SeriesStyle& style) {
+std::string band(const PlotArea& area, const PlotSeries& series, const SeriesStyle& style) {
   const std::vector<Point> low = points_of(area, series.x, series.low);
   const std::vector<Point> high = points_of(area, series.x, series.high);
   std::string data;
@@ -65,7 +65,7 @@ std::string error_bar(double x, double low, double high, const std::string& colo
       coordinate(x), coordinate(low), coordinate(high), coordinate(x - 3.0), color);
 }
 
-std::string line_svg(const PlotArea& area, const Series& series, const SeriesStyle& style) {
+std::string line_svg(const PlotArea& area, const PlotSeries& series, const SeriesStyle& style) {
   const std::vector<Point> points = points_of(area, series.x, series.y);
   std::string svg = has_interval(series) ? band(area, series, style) : "";
   svg += fmt::format(
@@ -84,7 +84,7 @@ std::string line_svg(const PlotArea& area, const Series& series, const SeriesSty
   return svg;
 }
 
-std::string thin_path(const PlotArea& area, const Series& series, const SeriesStyle& style) {
+std::string thin_path(const PlotArea& area, const PlotSeries& series, const SeriesStyle& style) {
   return fmt::format(
       "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\" "
       "stroke-linejoin=\"round\"/>\n",
@@ -92,7 +92,7 @@ std::string thin_path(const PlotArea& area, const Series& series, const SeriesSt
 }
 
 // All dots are one path of strokes without length, which round ends make visible.
-std::string dots_svg(const PlotArea& area, const Series& series, const SeriesStyle& style) {
+std::string dots_svg(const PlotArea& area, const PlotSeries& series, const SeriesStyle& style) {
   std::string data;
   for (const Point& p : points_of(area, series.x, series.y)) {
     if (p.drawn()) data += fmt::format("M{} {}h0", coordinate(p.x), coordinate(p.y));
@@ -103,7 +103,7 @@ std::string dots_svg(const PlotArea& area, const Series& series, const SeriesSty
       data, style.color);
 }
 
-std::string points_svg(const PlotArea& area, const Series& series, const SeriesStyle& style,
+std::string points_svg(const PlotArea& area, const PlotSeries& series, const SeriesStyle& style,
                        double shift) {
   std::string svg;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
@@ -117,7 +117,7 @@ std::string points_svg(const PlotArea& area, const Series& series, const SeriesS
   return svg;
 }
 
-std::string bars_svg(const PlotArea& area, const Series& series, const SeriesStyle& style,
+std::string bars_svg(const PlotArea& area, const PlotSeries& series, const SeriesStyle& style,
                      const SidePlace& place, const std::string& hatching) {
   const double width = 0.8 * place.pitch / place.slots;
   const double shift = place.shift();
@@ -145,11 +145,11 @@ double SidePlace::shift() const {
   return slots == 0 ? 0.0 : (slot - 0.5 * (slots - 1)) * 0.8 * pitch / slots;
 }
 
-bool has_interval(const Series& series) {
+bool has_interval(const PlotSeries& series) {
   return !series.low.empty();
 }
 
-std::string drawing_of(const Series& series, const PlotArea& area, const SeriesStyle& style,
+std::string drawing_of(const PlotSeries& series, const PlotArea& area, const SeriesStyle& style,
                        const SidePlace& place, const std::string& hatching) {
   switch (series.mark) {
     case Mark::line:

@@ -18,10 +18,10 @@ struct SidePlace {
   double shift() const;  // [px] to the right
 };
 
-bool has_interval(const Series& series);
+bool has_interval(const PlotSeries& series);
 
 // The marks of a series within the area; `hatching` is the name of the pattern that fills bars.
-std::string drawing_of(const Series& series, const PlotArea& area, const SeriesStyle& style,
+std::string drawing_of(const PlotSeries& series, const PlotArea& area, const SeriesStyle& style,
                        const SidePlace& place, const std::string& hatching);
 
 }  // namespace mapbed

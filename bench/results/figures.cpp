@@ -111,8 +111,8 @@ std::string series_name(const Results& results, const PlotSpec& spec, int level,
   return name;
 }
 
-Series& series_of(Plot& plot, const std::string& name, Mark mark) {
-  for (Series& series : plot.series) {
+PlotSeries& series_of(Plot& plot, const std::string& name, Mark mark) {
+  for (PlotSeries& series : plot.series) {
     if (series.name == name) return series;
   }
   plot.series.push_back({.name = name, .mark = mark});
@@ -206,7 +206,7 @@ void add_means(const Results& results, const PlotSpec& spec, int metric, int x_a
   for (const SummaryRow& row : results.summary) {
     if (row.metric != metric || !is_shown(results, spec, row.level, row.variant)) continue;
     if (row.runs == 0) continue;  // skipped
-    Series& series =
+    PlotSeries& series =
         series_of(plot, series_name(results, spec, row.level, row.variant, x_axis), mark);
     series.x.push_back(place_of(results, plot, row, x_axis));
     series.y.push_back(shown(row.mean, unit));
@@ -220,7 +220,7 @@ void add_means(const Results& results, const PlotSpec& spec, int metric, int x_a
                                             ": 95 % bootstrap interval of the mean"),
                           counted.runs, counted.failed, counted.missing);
   if (counted.most <= 1) {
-    for (Series& series : plot.series) series.low = series.high = {};
+    for (PlotSeries& series : plot.series) series.low = series.high = {};
   }
 }
 
@@ -236,7 +236,7 @@ void add_runs(const Results& results, const PlotSpec& spec, int metric, Plot& pl
                    results.metrics[static_cast<std::size_t>(m)].unit);
     };
     const SummaryRow place{.level = run.level, .variant = run.variant};
-    Series& series =
+    PlotSeries& series =
         series_of(plot, series_name(results, spec, run.level, run.variant, x_axis), Mark::points);
     series.x.push_back(x_metric >= 0 ? value(x_metric) : place_of(results, plot, place, x_axis));
     series.y.push_back(value(metric));

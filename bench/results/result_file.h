@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace mapbed {
+
+// A file of a run's own, below the folder that says what it is: figures/ (SVG and its CSV), maps/,
+// replays/, trajectories/, learned/.
+struct ResultFile {
+  std::string path;  // "maps/map.png"; becomes that of its run: "maps/map_level_2_raw.png"
+  std::string content;
+  std::string title = {};  // what pages write below it, with the run: "map"; empty: nothing
+};
+
+}  // namespace mapbed
