@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/results/series.h"
 #include "core/config/option.h"
 #include "core/input_error.h"
 
@@ -122,9 +123,11 @@ struct Results {
   std::vector<Level> levels;          // one without choice where nothing is swept
   std::vector<std::string> variants;  // one of the name "all" where nothing is compared
   std::vector<Metric> metrics;
+  std::vector<SeriesMetric> series_metrics;  // what is measured over time or iterations
   std::vector<PlotSpec> plots;
   std::vector<std::string> skipped;  // what was not run and why; it has no rows
   std::vector<RunRow> runs;          // by number, all of them
+  std::vector<Series> series;        // by run, then as in series_metrics; none: the run has none
   std::vector<SummaryRow> summary;
   std::vector<ClaimResult> claims;
   std::vector<CostRow> costs;
