@@ -7,6 +7,7 @@
 
 #include "core/check.h"
 #include "core/config/quantity.h"
+#include "core/config/renamed_options.h"
 #include "core/config/suggestion.h"
 #include "core/config/yaml_scalar.h"
 
@@ -183,6 +184,8 @@ void ConfigNode::check_all_used(const std::string& context) const {
     const ConfigNode& child = children_[i];
     const std::string key = kind_ == Kind::map ? keys_[i] : "[" + std::to_string(i) + "]";
     if (!child.used_) {
+      const std::string whole = context.empty() ? key : context + "." + key;
+      if (const auto renaming = renaming_of(whole, {})) throw InputError(child.place_, *renaming);
       const std::string reason =
           kind_ == Kind::map ? "unknown key " + in_quotes(key) : "unused entry";
       throw InputError(child.place_, reason + (context.empty() ? "" : " in " + context),

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "core/config/config_node.h"
+#include "core/config/renamed_options.h"
 #include "core/config/set_option.h"
 #include "core/config/suggestion.h"
 
@@ -42,6 +43,9 @@ std::vector<std::string> names_in(const std::string& group, const OptionList& op
 
 [[noreturn]] void throw_unknown(const Setting& setting, const OptionList& options,
                                 const std::string& context) {
+  if (const auto renaming = renaming_of(setting.path, context)) {
+    throw InputError(setting.place, *renaming);
+  }
   // walk down as far as the path names groups that exist
   std::string group;
   std::vector<std::string> known = names_in(group, options);

@@ -26,8 +26,9 @@ Setting parse_setting(const std::string& assignment);
 Settings load_settings(const std::string& yaml_path);
 
 // Writes the settings into the options they name, the later of two winning. Throws InputError on an
-// unknown path (with the nearest one), a wrong unit, a value that is no number, NaN, or the like.
-// `context` names the thing that has the options: "unknown key 'x' in scan_matching".
+// unknown path (with its new name, or the nearest one), a wrong unit, a value that is not a number,
+// NaN, or the like. `context` names the thing that has the options: "unknown key 'x' in
+// scan_matching".
 void apply(const Settings& settings, const OptionList& options, const std::string& context);
 
 // The complete configuration, defaults included, as YAML with units and the meaning as comments.
