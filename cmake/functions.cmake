@@ -39,6 +39,7 @@ add_library(mapbed_flags INTERFACE)
 # Contraction off and no -march=native: results must not depend on the processor.
 target_compile_options(mapbed_flags INTERFACE
   -Wall -Wextra -Wconversion -Wshadow -Wno-missing-field-initializers -ffp-contract=off
+  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>  # shows ccache the precompiled header
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # g++ 12 sees -Wrestrict in std::string
   $<$<CXX_COMPILER_ID:Clang>:-Wno-string-conversion>  # CHECK(!"why")
   $<$<BOOL:${MAPBED_WERROR}>:-Werror>)
@@ -48,7 +49,8 @@ install(TARGETS mapbed_flags EXPORT mapbed)
 # One precompiled header for all tests: GoogleTest and Eigen cost most of a test file's compile time.
 if(MAPBED_TESTS)
   add_library(mapbed_test_flags INTERFACE)
-  target_compile_options(mapbed_test_flags INTERFACE ${MAPBED_TEST_FLAGS})
+  # Tests run for moments, so that compiling them well costs more than it saves.
+  target_compile_options(mapbed_test_flags INTERFACE $<$<CONFIG:Release>:-O1> ${MAPBED_TEST_FLAGS})
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/test_pch.cpp CONTENT "")
   add_library(mapbed_test_pch STATIC ${CMAKE_BINARY_DIR}/test_pch.cpp)
   target_link_libraries(mapbed_test_pch PUBLIC
@@ -75,6 +77,20 @@ if(MAPBED_TESTS)
   add_custom_target(mapbed_unit_tests)
 endif()
 
+# mapbed_tests(cli LABEL cli SOURCES a_test.cpp … LINKS … PROPERTIES …) makes the program
+# mapbed_cli_tests, and a test of ctest for each TEST in it, with that label and properties.
+function(mapbed_tests name)
+  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LINKS;PROPERTIES" ${ARGN})
+  set(program mapbed_${name}_tests)
+  add_executable(${program} ${ARG_SOURCES})
+  target_precompile_headers(${program} REUSE_FROM mapbed_test_pch)
+  target_link_libraries(${program} PRIVATE ${ARG_LINKS} mapbed::testing mapbed::flags mapbed_test_flags
+    GTest::gtest GTest::gmock GTest::gmock_main)
+  include(GoogleTest)
+  gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120
+    PROPERTIES LABELS ${ARG_LABEL} ENVIRONMENT "${mapbed_test_environment}" ${ARG_PROPERTIES})
+endfunction()
+
 # mapbed_library(core SOURCES a.cpp … TESTS a_test.cpp … TEST_LINKS … PUBLIC_LINKS … PRIVATE_LINKS …)
 # makes mapbed_core (alias mapbed::core) and, where tests are built, mapbed_core_tests.
 function(mapbed_library name)
@@ -97,16 +113,8 @@ function(mapbed_library name)
   install(DIRECTORY ./ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mapbed/${folder}
     FILES_MATCHING PATTERN "*.h" PATTERN testing EXCLUDE PATTERN testdata EXCLUDE)
   if(MAPBED_TESTS AND ARG_TESTS)
-    add_executable(mapbed_${name}_tests ${ARG_TESTS})
-    target_precompile_headers(mapbed_${name}_tests REUSE_FROM mapbed_test_pch)
-    target_link_libraries(mapbed_${name}_tests PRIVATE
-      mapbed::${name} mapbed::flags mapbed_test_flags
-      GTest::gtest GTest::gmock GTest::gmock_main ${ARG_TEST_LINKS})
-    target_compile_definitions(mapbed_${name}_tests PRIVATE MAPBED_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    include(GoogleTest)
+    mapbed_tests(${name} LABEL unit SOURCES ${ARG_TESTS} LINKS mapbed::${name} ${ARG_TEST_LINKS})
     add_dependencies(mapbed_unit_tests mapbed_${name}_tests)
-    gtest_discover_tests(mapbed_${name}_tests DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120
-      PROPERTIES LABELS unit ENVIRONMENT "${mapbed_test_environment}")
   endif()
 endfunction()
 

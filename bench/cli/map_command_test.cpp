@@ -10,6 +10,7 @@
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
 #include "core/log/dialects/carmen_log.h"
+#include "core/testing/source_tree.h"
 #include "core/testing/test_room.h"
 
 namespace mapbed {
@@ -81,9 +82,8 @@ TEST_F(MapCommand, ItsConfigurationRepeatsTheRun) {
 TEST_F(MapCommand, TakesALogByItsDescriptionOrName) {
   const Outcome by_name = call({"map", "example", "--method", "odometry", "--out", "by_name"});
   ASSERT_EQ(by_name.status, 0) << by_name.err;
-  const Outcome by_file =
-      call({"map", std::string(MAPBED_SOURCE_DIR) + "/scenarios/logs/example.yaml", "--method",
-            "odometry", "--out", "by_file"});
+  const Outcome by_file = call({"map", source_tree() + "/scenarios/logs/example.yaml", "--method",
+                                "odometry", "--out", "by_file"});
   ASSERT_EQ(by_file.status, 0) << by_file.err;
   EXPECT_EQ(text("by_name/map.png"), text("by_file/map.png"));
   expect_refusal({"map", "exampel"}, "did you mean 'example'?");

@@ -11,6 +11,7 @@
 #include "core/file/sha256.h"
 #include "core/file/text_file.h"
 #include "core/geometry/angle.h"
+#include "core/testing/source_tree.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string kLogs = MAPBED_SOURCE_DIR "/scenarios/logs/";
+const std::string kLogs = source_tree() + "/scenarios/logs/";
 
 class Description : public ::testing::Test {
  protected:

@@ -4,11 +4,12 @@
 
 #include "core/file/text_file.h"
 #include "core/log/dialects/carmen_log.h"
+#include "core/testing/source_tree.h"
 
 namespace mapbed {
 namespace {
 
-const std::string kShipped = MAPBED_SOURCE_DIR "/scenarios/logs/example.log.gz";
+const std::string kShipped = source_tree() + "/scenarios/logs/example.log.gz";
 
 TEST(ExampleLog, IsWhatItsGeneratorMakes) {
   // If this fails after a deliberate change: make_example_log scenarios/logs/example.log.gz

@@ -17,6 +17,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/testing/source_tree.h"
+
 namespace mapbed {
 namespace {
 
@@ -188,7 +190,7 @@ std::vector<std::string> objections_to(const std::string& file, const std::strin
 }
 
 TEST(IncludeDirection, HoldsInTheWholeTree) {
-  const fs::path root = MAPBED_SOURCE_DIR;
+  const fs::path root = source_tree();
   std::vector<std::string> found;
   int files = 0;
   for (const auto& [folder, below] : kBelow) {

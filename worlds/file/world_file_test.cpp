@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/image/pnm.h"
+#include "core/testing/source_tree.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
 #include "worlds/geometry/footprint.h"
@@ -196,7 +197,7 @@ std::string example_of(const std::string& path, const std::string& title) {
 }
 
 TEST_F(WorldFile, OfTheReadmeIsRight) {
-  const std::string example = example_of(MAPBED_SOURCE_DIR "/README.md", "`my_world.yaml`");
+  const std::string example = example_of(source_tree() + "/README.md", "`my_world.yaml`");
   const World world = load(example);
   EXPECT_FALSE(world.paths.empty());
   EXPECT_FALSE(world.crowd.routes.empty());
@@ -205,8 +206,8 @@ TEST_F(WorldFile, OfTheReadmeIsRight) {
 
 TEST_F(WorldFile, OfTheWorkshopIsThatOfTheWorldsReadme) {
   const std::string example =
-      example_of(MAPBED_SOURCE_DIR "/worlds/README.md", "A world of your own");
-  std::ifstream workshop(MAPBED_SOURCE_DIR "/worlds/workshop.yaml");
+      example_of(source_tree() + "/worlds/README.md", "A world of your own");
+  std::ifstream workshop(source_tree() + "/worlds/workshop.yaml");
   EXPECT_EQ(example, (std::string{std::istreambuf_iterator<char>(workshop), {}}));
   const World world = load(example);
   EXPECT_EQ(world.doors.size(), 1u);
