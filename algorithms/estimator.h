@@ -1,24 +1,25 @@
 #pragma once
 
-#include <functional>
-#include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "core/config/settings.h"
 #include "core/geometry/trajectory.h"
-#include "core/random.h"
 #include "core/sensor/measurement.h"
+#include "core/time_interval.h"
 
 namespace mapbed {
 
 // What a method believes at some point in time.
 struct Estimate {
   Trajectory trajectory;  // map_from_robot at the stamp of every scan added so far, in order
-  int untrusted_scans =
-      0;  // scans whose pose is the prediction alone: the match was not trustworthy
-  std::vector<std::string>
-      remarks;  // what the user should know ("no odometry from 12.3 s to 22.4 s")
+  // Where the robot was lost: the poses then do not lie right to those before.
+  std::vector<TimeInterval> lost;
+  // Scans whose pose is the prediction alone: the match was not trustworthy.
+  int untrusted_scans = 0;
+  // What the user should know ("no odometry from 12.3 s to 22.4 s").
+  std::vector<std::string> remarks;
 };
 
 // How many possibilities a particle filter still holds, at one of its updates.
@@ -37,28 +38,28 @@ struct Hypotheses {
   std::vector<Diversity> diversity;  // at each update so far
 };
 
+// What a method may be told beforehand.
+struct Given {
+  std::optional<Pose2> start;  // map_from_robot at the first scan; else the map begins there
+};
+
 // The one interface behind which methods are exchanged: measurements in, belief out, at any time.
 class Estimator {
  public:
   virtual ~Estimator() = default;
-  virtual void add(const Measurement& measurement) = 0;  // in order of time
-  virtual Pose2 pose() const = 0;  // map_from_robot now; cheap. Identity before the first scan
+
+  // In order of time. `beam_weights`, in [0, 1], one for each beam of a scan, say how much the
+  // method shall believe of it: 0 is a beam that failed. Empty: all count fully.
+  virtual void add(const Measurement& measurement, std::span<const float> beam_weights = {}) = 0;
+
+  // Once, before the last estimate(): what a method does with all measurements together.
+  virtual void finish() {}
+
+  virtual Pose2 pose() const = 0;         // map_from_robot now; cheap
   virtual Estimate estimate() const = 0;  // the whole path, as it is believed now
+
+  // For pictures on the way, where a whole estimate would cost too much.
   virtual Hypotheses hypotheses() const { return {}; }
 };
-
-// A method by name. `options` applies the settings and lists what holds then, for `describe` and
-// for the configuration written beside the results; `make` gives the method with them.
-struct Method {
-  std::string name;
-  std::string about;
-  std::function<std::string(const Settings&)> complete_yaml;
-  std::function<std::unique_ptr<Estimator>(const Settings&, Rng)> make;
-};
-
-const std::vector<Method>& methods();
-
-// Throws InputError for an unknown name (with the nearest one) or a wrong setting.
-const Method& method_by_name(const std::string& name);
 
 }  // namespace mapbed

@@ -77,7 +77,7 @@ double squared_error(const MotionSample& sample, const PosePrior& prior) {
 
 Settings settings_of_model(const std::string& name_or_path) {
   return load_settings(
-      find_data_file("motion model", "algorithms/rbpf/motion_models", name_or_path).string());
+      find_data_file("motion model", "algorithms/motion/motion_models", name_or_path).string());
 }
 
 // The same, but a wrong name is told with its place.

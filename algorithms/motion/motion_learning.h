@@ -38,7 +38,7 @@ Calibration calibration_of(const std::vector<MotionSample>& samples,
 // in units of the model's spread. 0 for independent ones; samples in order of time, two at least.
 double error_memory_of(const std::vector<MotionSample>& samples, const MotionModelOptions& model);
 
-// A parameter file, by its name in algorithms/rbpf/motion_models or by its path. Throws InputError.
+// A parameter file, by its name in algorithms/motion/motion_models or by its path. Throws InputError.
 MotionModelOptions load_motion_model(const std::string& name_or_path);
 
 // Settings of a filter, with its error models by name taken from their files: what stands there as

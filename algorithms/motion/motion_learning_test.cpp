@@ -137,7 +137,7 @@ TEST(MotionLearning, AThirdOfTheErrorThatRepeatsIsAThirdOfTheMemory) {
 }
 
 TEST(MotionModelFile, AllAreRead) {
-  const std::vector<std::string> names = data_names("algorithms/rbpf/motion_models");
+  const std::vector<std::string> names = data_names("algorithms/motion/motion_models");
   EXPECT_FALSE(names.empty());
   for (const std::string& name : names) EXPECT_NO_THROW(load_motion_model(name)) << name;
 }

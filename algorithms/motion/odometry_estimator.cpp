@@ -44,7 +44,7 @@ std::vector<std::string> remarks_on(const std::vector<double>& stamps, const Tra
 
 }  // namespace
 
-void OdometryEstimator::add(const Measurement& measurement) {
+void OdometryEstimator::add(const Measurement& measurement, std::span<const float>) {
   if (const auto* reading = std::get_if<Odometry>(&measurement)) {
     CHECK(odometry_.empty() || reading->time >= odometry_.back().time);
     odometry_.push_back({reading->time, reading->odometry_from_robot});
@@ -54,20 +54,20 @@ void OdometryEstimator::add(const Measurement& measurement) {
 }
 
 Pose2 OdometryEstimator::pose() const {
-  if (odometry_.empty() || scan_stamps_.empty()) return {};
-  return motion_between(held_at(odometry_, scan_stamps_.front()), odometry_.back().pose);
+  if (odometry_.empty() || scan_stamps_.empty()) return start_;
+  return start_ * motion_between(held_at(odometry_, scan_stamps_.front()), odometry_.back().pose);
 }
 
 Estimate OdometryEstimator::estimate() const {
   Estimate result;
   if (scan_stamps_.empty()) return result;
   if (odometry_.empty()) {
-    for (const double time : scan_stamps_) result.trajectory.push_back({time, Pose2{}});
+    for (const double time : scan_stamps_) result.trajectory.push_back({time, start_});
     result.untrusted_scans = static_cast<int>(scan_stamps_.size());
     result.remarks.push_back("no odometry at all: every pose is the first one");
     return result;
   }
-  const Pose2 map_from_odometry = inverse(held_at(odometry_, scan_stamps_.front()));
+  const Pose2 map_from_odometry = start_ * inverse(held_at(odometry_, scan_stamps_.front()));
   for (const double time : scan_stamps_) {
     result.trajectory.push_back({time, map_from_odometry * held_at(odometry_, time)});
     if (time < odometry_.front().time || time > odometry_.back().time) ++result.untrusted_scans;

@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "algorithms/particles/hypotheses.h"
+#include "algorithms/scan/beam_weights.h"
 #include "core/check.h"
 
 namespace mapbed {
@@ -17,9 +18,10 @@ constexpr std::size_t kMinHits = 10;  // of a scan that sees something, as in th
 
 }  // namespace
 
-GridSlam::GridSlam(const GridSlamOptions& options, Rng rng)
+GridSlam::GridSlam(const GridSlamOptions& options, Rng rng, const Pose2& start)
     : options_(options),
       rng_(rng),
+      start_(start),
       likelihood_(options.likelihood),
       troubles_(options.troubles, options.proposal != Proposal::odometry),
       condenser_({options.proposal, options.update_distance, options.update_turn, options.matcher}),
@@ -27,11 +29,13 @@ GridSlam::GridSlam(const GridSlamOptions& options, Rng rng)
   CHECK(options.particles > 0);
 }
 
-void GridSlam::add(const Measurement& measurement) {
+void GridSlam::add(const Measurement& measurement, std::span<const float> beam_weights) {
   if (const auto* odometry = std::get_if<Odometry>(&measurement)) {
     condenser_.add(troubles_.without_jumps(*odometry));
   }
-  if (const auto* scan = std::get_if<LaserScan>(&measurement)) add_scan(*scan);
+  if (const auto* scan = std::get_if<LaserScan>(&measurement)) {
+    add_scan(beam_weights.empty() ? *scan : with_failed_beams(*scan, beam_weights));
+  }
 }
 
 void GridSlam::add_scan(const LaserScan& scan) {
@@ -76,10 +80,10 @@ void GridSlam::update(const LaserScan& scan, const UpdateMotion& motion) {
   std::for_each(particles_.begin(), particles_.end(), remember);
 }
 
-// All particles with the first scan, at the origin.
+// All particles with the first scan, where the robot starts.
 void GridSlam::start() {
-  const auto root = std::make_shared<HistoryNode>(Pose2{}, 0, nullptr);
-  const Particle first{.map = SurfaceMap(options_.map_resolution), .history = root};
+  const auto root = std::make_shared<HistoryNode>(start_, 0, nullptr);
+  const Particle first{.pose = start_, .map = SurfaceMap(options_.map_resolution), .history = root};
   particles_.assign(static_cast<std::size_t>(options_.particles), first);
   updates_.back().effective_number = static_cast<double>(particles_.size());
 }
@@ -210,7 +214,7 @@ const Particle& GridSlam::best() const {
 }
 
 Pose2 GridSlam::pose() const {
-  if (particles_.empty()) return {};
+  if (particles_.empty()) return start_;
   return best().pose * motion_between(condenser_.updates().back().seen_from_robot,
                                       condenser_.scans().back().seen_from_robot);
 }
@@ -244,6 +248,7 @@ Estimate GridSlam::estimate() const {
   result.trajectory = with_scans_between(path, condenser_.updates(), condenser_.scans(), hits_,
                                          breaks_, motion_errors(), options_.settling);
   result.untrusted_scans = condenser_.untrusted_scans();
+  result.lost = troubles_.lost();
   result.remarks = troubles_.remarks();
   const auto resamplings = std::count_if(updates_.begin(), updates_.end(),
                                          [](const Diversity& u) { return u.resampled; });

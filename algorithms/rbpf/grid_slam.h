@@ -31,9 +31,10 @@ namespace mapbed {
 // loop are given up for the best of them as soon as the loop is closed.
 class GridSlam : public Estimator {
  public:
-  GridSlam(const GridSlamOptions& options, Rng rng);
+  // `start` is map_from_robot at the first scan.
+  GridSlam(const GridSlamOptions& options, Rng rng, const Pose2& start = {});
 
-  void add(const Measurement& measurement) override;
+  void add(const Measurement& measurement, std::span<const float> beam_weights = {}) override;
   Pose2 pose() const override;
   Estimate estimate() const override;
 
@@ -69,6 +70,7 @@ class GridSlam : public Estimator {
 
   GridSlamOptions options_;
   Rng rng_;
+  Pose2 start_;
   SurfaceLikelihood likelihood_;
   Troubles troubles_;
   ScanCondenser condenser_;

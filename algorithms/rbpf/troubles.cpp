@@ -85,6 +85,15 @@ Stretches Troubles::lost_for_good() const {
   return lost_.without(was_found);
 }
 
+std::vector<TimeInterval> Troubles::lost() const {
+  std::vector<TimeInterval> result;
+  const Stretches lost = lost_for_good();
+  for (const Stretches::Stretch& stretch : lost.all()) {
+    result.push_back({stretch.from, stretch.to});
+  }
+  return result;
+}
+
 std::vector<std::string> Troubles::remarks() const {
   std::vector<std::string> result;
   const auto tell = [&](const Stretches& stretches, const std::string& what,

@@ -7,6 +7,7 @@
 
 #include "core/config/option.h"
 #include "core/sensor/odometry.h"
+#include "core/time_interval.h"
 
 namespace mapbed {
 
@@ -73,6 +74,7 @@ class Troubles {
   // Where the map of before `since` shows the robot at `time`.
   void found_again(double since, double time) { found_again_.push_back({since, time}); }
 
+  std::vector<TimeInterval> lost() const;    // and not found again
   std::vector<std::string> remarks() const;  // times from the first measurement on
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/scan/beam_weights.h"
 #include "core/check.h"
 #include "core/geometry/angle.h"
 
@@ -14,16 +15,21 @@ constexpr double kClearlyMore = 0.1;    // of the scan explained
 
 }  // namespace
 
-IncrementalMatcher::IncrementalMatcher(const IncrementalMatcherOptions& options)
-    : options_(options), means_(options.field.resolution), field_(options.field) {}
+IncrementalMatcher::IncrementalMatcher(const IncrementalMatcherOptions& options, const Pose2& start)
+    : options_(options),
+      map_from_robot_(start),
+      means_(options.field.resolution),
+      field_(options.field) {}
 
-void IncrementalMatcher::add(const Measurement& measurement) {
+void IncrementalMatcher::add(const Measurement& measurement, std::span<const float> beam_weights) {
   if (const auto* odometry = std::get_if<Odometry>(&measurement)) odometry_.add(*odometry);
-  if (const auto* scan = std::get_if<LaserScan>(&measurement)) add_scan(*scan);
+  if (const auto* scan = std::get_if<LaserScan>(&measurement)) {
+    add_scan(beam_weights.empty() ? *scan : with_failed_beams(*scan, beam_weights));
+  }
 }
 
 Estimate IncrementalMatcher::estimate() const {
-  return {.trajectory = trajectory_, .untrusted_scans = untrusted_scans_, .remarks = {}};
+  return {.trajectory = trajectory_, .untrusted_scans = untrusted_scans_};
 }
 
 std::optional<Pose2> IncrementalMatcher::odometry_at(double time) const {

@@ -60,9 +60,11 @@ void visit_fields(IncrementalMatcherOptions& o, Visitor&& visit) {
 // over time: loops stay open. Memory is bounded by the local map, the trajectory apart.
 class IncrementalMatcher : public Estimator {
  public:
-  explicit IncrementalMatcher(const IncrementalMatcherOptions& options = {});
+  // `start` is map_from_robot at the first scan.
+  explicit IncrementalMatcher(const IncrementalMatcherOptions& options = {},
+                              const Pose2& start = {});
 
-  void add(const Measurement& measurement) override;
+  void add(const Measurement& measurement, std::span<const float> beam_weights = {}) override;
   Pose2 pose() const override { return map_from_robot_; }
   Estimate estimate() const override;
 

@@ -1,7 +1,7 @@
 #include "bench/cli/catalogue.h"
 
-#include "algorithms/estimator.h"
 #include "algorithms/grid/map_builder.h"
+#include "algorithms/methods.h"
 #include "bench/experiments/experiment.h"
 #include "bench/scenario/scenario.h"
 #include "core/config/config_node.h"
@@ -20,7 +20,8 @@ namespace {
 std::vector<CatalogueEntry> method_entries() {
   std::vector<CatalogueEntry> entries;
   for (const Method& method : methods()) {
-    entries.push_back({method.name, method.about, [&method] { return method.complete_yaml({}); }});
+    entries.push_back(
+        {method.name, method.about, [&method] { return method.configure({}).complete_yaml; }});
   }
   return entries;
 }

@@ -33,7 +33,7 @@ void check_group_is_named(const Settings& own, const Method& method) {
   for (const Setting& setting : own) {
     MapConfig config;
     if (is_accepted([&] { apply({setting}, options_of(config), ""); })) continue;
-    if (!is_accepted([&] { (void)method.complete_yaml({setting}); })) continue;
+    if (!is_accepted([&] { (void)method.configure({setting}); })) continue;
     throw InputError(setting.place,
                      in_quotes(setting.path) + " is an option of the method " + method.name,
                      "write '" + method.name + "." + setting.path + "'");
@@ -61,6 +61,7 @@ MapConfig map_config_from(const Settings& settings, MapConfig config) {
   const Method& method = method_by_name(config.method);
   check_group_is_named(own, method);
   apply(own, options_of(config), "");
+  Settings of_method;
   for (Setting setting : of_methods) {
     const std::string group = group_of(setting);
     if (group != config.method) {
@@ -74,16 +75,15 @@ MapConfig map_config_from(const Settings& settings, MapConfig config) {
                        "'mapbed describe " + group + "' lists them");
     }
     setting.path.erase(0, group.size() + 1);
-    config.method_settings.push_back(std::move(setting));
+    of_method.push_back(std::move(setting));
   }
-  method.complete_yaml(config.method_settings);  // throws on a wrong setting
+  config.configured = method.configure(of_method);
   return config;
 }
 
 std::string to_yaml(MapConfig config) {
-  const Method& method = method_by_name(config.method);
-  return to_yaml(options_of(config)) + config.method + ":  # " + method.about + "\n" +
-         indented(method.complete_yaml(config.method_settings));
+  return to_yaml(options_of(config)) + config.method + ":  # " +
+         method_by_name(config.method).about + "\n" + indented(config.configured.complete_yaml);
 }
 
 }  // namespace mapbed

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "algorithms/estimator.h"
 #include "algorithms/grid/map_builder.h"
+#include "algorithms/methods.h"
 #include "core/config/settings.h"
 #include "core/log/log_options.h"
 
@@ -25,8 +25,7 @@ struct MapConfig {
   std::uint64_t seed = 1;
   LogOptions log = {};
   MapOptions map = {};
-  Settings method_settings =
-      {};  // what differs from the method's defaults, without its name in front
+  ConfiguredMethod configured = {};  // what `method` and its settings come to
 };
 
 template <class Visitor>

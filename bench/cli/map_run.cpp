@@ -101,11 +101,10 @@ OccupancyMap map_of(const SensorLog& log, const Trajectory& trajectory, const Ma
 MapRun make_map(const RecordedLog& log, const MapConfig& config,
                 const std::function<bool(std::size_t done, std::size_t total)>& may_go_on) {
   check_size_of_first_scan(log.measurements, config.map);
-  const Method& method = method_by_name(config.method);
-  const auto estimator =
-      method.make(config.method_settings, Rng(config.seed).stream(config.method));
+  const auto estimator = config.configured.make({}, Rng(config.seed).stream(config.method));
   MapCost cost;
   const std::size_t taken = feed(*estimator, log.measurements, cost, may_go_on);
+  estimator->finish();
   Estimate estimate = estimator->estimate();
 
   const Clock::time_point start = Clock::now();

@@ -16,10 +16,14 @@ RecordedLog room_log() {
   return drive_through(rectangular_room(6.0, 4.0), {{-1.0, 0.0}, {1.5, 0.5}}, {}, Rng(1));
 }
 
+MapConfig config_of(const std::string& method) {
+  return map_config_from({{"method", method, {}}});
+}
+
 TEST(MapRun, TakesInTheWholeLog) {
   const RecordedLog log = room_log();
   const MapRun run =
-      make_map(log, {.method = "odometry"}, [](std::size_t, std::size_t) { return true; });
+      make_map(log, config_of("odometry"), [](std::size_t, std::size_t) { return true; });
   EXPECT_TRUE(run.complete());
   EXPECT_EQ(run.estimate.trajectory.size(), log.true_poses.size());
   EXPECT_FALSE(known_box(run.map).empty());
@@ -27,7 +31,7 @@ TEST(MapRun, TakesInTheWholeLog) {
 
 TEST(MapRun, EndsWithWhatItHasWhenItMayNotGoOn) {
   const RecordedLog log = room_log();
-  const MapRun run = make_map(log, {.method = "odometry"}, [](std::size_t done, std::size_t) {
+  const MapRun run = make_map(log, config_of("odometry"), [](std::size_t done, std::size_t) {
     return done < 10;  // five pairs of odometry and scan
   });
   EXPECT_FALSE(run.complete());
@@ -36,7 +40,7 @@ TEST(MapRun, EndsWithWhatItHasWhenItMayNotGoOn) {
 }
 
 TEST(MapRun, RefusesAMapThatCannotBeWrittenBeforeTheWorkIsDone) {
-  MapConfig config{.method = "odometry"};
+  MapConfig config = config_of("odometry");
   config.map.beams.usable_range = 10.0;
   config.map.resolution = 1e-4;
   int asked = 0;
@@ -52,7 +56,7 @@ TEST(MapRun, WritesNothingOfALaserThatSeesNothing) {
     if (scan != nullptr) std::fill(scan->ranges.begin(), scan->ranges.end(), 0.0);
   }
   const MapRun run =
-      make_map(log, {.method = "rbpf"}, [](std::size_t, std::size_t) { return true; });
+      make_map(log, config_of("rbpf"), [](std::size_t, std::size_t) { return true; });
   const TemporaryFolder folder;
   EXPECT_INPUT_ERROR(write_map_run(folder.file("."), "blind.log", log, run),
                      "blind.log: no beam of any scan counts");

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "algorithms/estimator.h"
+#include "algorithms/methods.h"
 #include "bench/experiments/particle_figures.h"
 #include "bench/experiments/slam_judge.h"
 #include "bench/plot/map_picture.h"
@@ -70,7 +70,7 @@ Setup setup_of(const Settings& settings) {
   apply(own, options_of(setup.options), "slam");
   check_method(setup.options.estimator, own);
   for (const auto& [name, of_method] : by_method) {
-    (void)method_by_name(name).complete_yaml(of_method);
+    (void)method_by_name(name).configure(of_method);
     if (name == setup.options.estimator) setup.of_method = of_method;
   }
   return setup;
@@ -79,7 +79,8 @@ Setup setup_of(const Settings& settings) {
 std::string complete_yaml(const Settings& settings) {
   Setup setup = setup_of(settings);
   std::string yaml = to_yaml(options_of(setup.options)) + setup.options.estimator + ":\n";
-  const std::string inner = method_by_name(setup.options.estimator).complete_yaml(setup.of_method);
+  const std::string inner =
+      method_by_name(setup.options.estimator).configure(setup.of_method).complete_yaml;
   for (std::size_t start = 0; start < inner.size();) {
     const std::size_t end = inner.find('\n', start) + 1;
     yaml += "  " + inner.substr(start, end - start);
@@ -133,11 +134,13 @@ std::vector<ResultFile> add_log(const SlamOptions& options, const RunInput& inpu
 RunOutcome run(const Settings& settings, const RunInput& whole_input) {
   const Setup setup = setup_of(settings);
   const RunInput input = shortened(whole_input, setup.options.longest);
-  const auto estimator =
-      method_by_name(setup.options.estimator).make(setup.of_method, input.rng.stream("estimator"));
+  const auto estimator = method_by_name(setup.options.estimator)
+                             .configure(setup.of_method)
+                             .make({}, input.rng.stream("estimator"));
   RunOutcome outcome;
   const double start = processor_time();
   outcome.files = add_log(setup.options, input, *estimator);
+  estimator->finish();
   const Estimate estimate = estimator->estimate();
   outcome.method_seconds = processor_time() - start;
 

@@ -1,12 +1,12 @@
 #include <cmath>
 #include <iostream>
 
-#include "algorithms/estimator.h"
+#include "algorithms/methods.h"
 
 // Drives a square by its odometry, scanning at each corner, and says how far from its start it
 // ends.
 int main() {
-  const auto method = mapbed::method_by_name("odometry").make({}, mapbed::Rng(7));
+  const auto method = mapbed::method_by_name("odometry").configure({}).make({}, mapbed::Rng(7));
   mapbed::Odometry odometry;
   for (int corner = 0; corner <= 4; ++corner) {
     method->add(odometry);

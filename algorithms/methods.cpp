@@ -1,4 +1,4 @@
-#include "algorithms/estimator.h"
+#include "algorithms/methods.h"
 
 #include <type_traits>
 
@@ -26,31 +26,31 @@ void check_together(const GridSlamOptions& options, const Settings& settings) {
 
 template <class Options>
 Options options_from(Options options, const Settings& settings, const std::string& name) {
-  if constexpr (std::is_same_v<Options, GridSlamOptions>) {
-    apply(with_learned_models(settings), options_of(options), name);
-    check_together(options, settings);
-  } else {
-    apply(settings, options_of(options), name);
-  }
+  apply(settings, options_of(options), name);
+  return options;
+}
+
+GridSlamOptions options_from(GridSlamOptions options, const Settings& settings,
+                             const std::string& name) {
+  apply(with_learned_models(settings), options_of(options), name);
+  check_together(options, settings);
   return options;
 }
 
 // A method whose class takes its options, and its own stream of chance where it needs one.
 template <class Class, class Options>
 Method method(const std::string& name, const std::string& about, const Options& defaults = {}) {
-  return {name, about,
-          [name, defaults](const Settings& settings) {
-            auto options = options_from(defaults, settings, name);
-            return to_yaml(options_of(options));
-          },
-          [name, defaults](const Settings& settings,
-                           [[maybe_unused]] Rng rng) -> std::unique_ptr<Estimator> {
-            const auto options = options_from(defaults, settings, name);
-            if constexpr (std::is_constructible_v<Class, Options, Rng>) {
-              return std::make_unique<Class>(options, rng);
-            } else {
-              return std::make_unique<Class>(options);
-            }
+  return {name, about, [name, defaults](const Settings& settings) -> ConfiguredMethod {
+            Options options = options_from(defaults, settings, name);
+            const std::string yaml = to_yaml(options_of(options));
+            return {yaml, [options](const Given& given, [[maybe_unused]] Rng rng) {
+                      const Pose2 start = given.start.value_or(Pose2{});
+                      if constexpr (std::is_constructible_v<Class, Options, Rng, Pose2>) {
+                        return std::unique_ptr<Estimator>(new Class(options, rng, start));
+                      } else {
+                        return std::unique_ptr<Estimator>(new Class(options, start));
+                      }
+                    }};
           }};
 }
 

@@ -1,10 +1,12 @@
-#include "algorithms/estimator.h"
+#include "algorithms/methods.h"
 
 #include <gmock/gmock.h>
 
 #include "algorithms/motion/motion_learning.h"
 #include "algorithms/rbpf/grid_slam.h"
 #include "core/input_error.h"
+#include "core/testing/is_near.h"
+#include "core/testing/test_room.h"
 
 namespace mapbed {
 namespace {
@@ -17,8 +19,9 @@ TEST(Methods, AreFoundByNameAndListTheirOptions) {
   for (const Method& method : methods()) {
     EXPECT_EQ(method_by_name(method.name).name, method.name);
     EXPECT_FALSE(method.about.empty()) << method.name;
-    EXPECT_NO_THROW(method.make({}, Rng(1))) << method.name;
-    EXPECT_FALSE(method.complete_yaml({}).empty()) << method.name;
+    const ConfiguredMethod configured = method.configure({});
+    EXPECT_NE(configured.make({}, Rng(1)), nullptr) << method.name;
+    EXPECT_FALSE(configured.complete_yaml.empty()) << method.name;
   }
 }
 
@@ -30,14 +33,44 @@ TEST(Methods, AMisspeltNameGetsTheNearestOne) {
 
 TEST(Methods, ASettingThatNoOptionTakesIsAnError) {
   const Settings settings{parse_setting("longest_gapp=2 s")};
-  EXPECT_THAT([&] { method_by_name("odometry").make(settings, Rng(1)); },
+  EXPECT_THAT([&] { method_by_name("odometry").configure(settings); },
               ThrowsMessage<InputError>(HasSubstr("unknown key 'longest_gapp' in odometry")));
 }
 
 TEST(Methods, SettingsReachTheCompleteConfiguration) {
   const Settings settings{parse_setting("longest_gap=250 ms")};
-  EXPECT_THAT(method_by_name("odometry").complete_yaml(settings), HasSubstr("longest_gap: 0.25 s"));
+  EXPECT_THAT(method_by_name("odometry").configure(settings).complete_yaml,
+              HasSubstr("longest_gap: 0.25 s"));
 }
+
+class EveryMethod : public ::testing::TestWithParam<std::string> {
+ protected:
+  static Trajectory path(const Given& given) {
+    const RecordedLog log = drive_through(rectangular_room(6.0, 4.0), {{-1.0, 0.0}, {1.5, 0.5}},
+                                          {.forward_sigma = 0.0, .turn_sigma = 0.0}, Rng(1));
+    const auto method = method_by_name(GetParam()).configure({}).make(given, Rng(1));
+    for (const Measurement& measurement : log.measurements) method->add(measurement);
+    method->finish();
+    return method->estimate().trajectory;
+  }
+};
+
+// The map's cells lie otherwise in the room then, so that matches differ by a part of a cell.
+TEST_P(EveryMethod, StartsWhereItIsTold) {
+  const Pose2 start{2.0, -1.0, 0.7};
+  const Trajectory path_from_origin = path({});
+  const Trajectory path_from_start = path({.start = start});
+  ASSERT_EQ(path_from_start.size(), path_from_origin.size());
+  EXPECT_EQ(path_from_origin.front().pose, Pose2{});
+  EXPECT_EQ(path_from_start.front().pose, start);
+  EXPECT_THAT(path_from_start.back().pose,
+              IsNear(start * path_from_origin.back().pose, Tolerance{0.05, 0.02}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
+                         ::testing::Values("odometry", "scan_matching", "correlative", "icp",
+                                           "rbpf", "maximum_likelihood"),
+                         [](const auto& method) { return method.param; });
 
 class MethodWithErrorModels : public ::testing::TestWithParam<std::string> {};
 
@@ -48,7 +81,8 @@ TEST_P(MethodWithErrorModels, TakesLearnedOnesByName) {
   expected.best_only_after_loop = GetParam() == "maximum_likelihood";
   const Settings settings{parse_setting("odometry_errors=pioneer_odometry"),
                           parse_setting("matching_errors=pioneer_matching")};
-  EXPECT_EQ(method_by_name(GetParam()).complete_yaml(settings), to_yaml(options_of(expected)));
+  EXPECT_EQ(method_by_name(GetParam()).configure(settings).complete_yaml,
+            to_yaml(options_of(expected)));
 }
 
 TEST_P(MethodWithErrorModels, TheLaterOfModelAndParameterWins) {
@@ -57,7 +91,7 @@ TEST_P(MethodWithErrorModels, TheLaterOfModelAndParameterWins) {
   const auto complete = [&](const Settings& first, const Settings& second) {
     Settings both = first;
     both.insert(both.end(), second.begin(), second.end());
-    return method_by_name(GetParam()).complete_yaml(both);
+    return method_by_name(GetParam()).configure(both).complete_yaml;
   };
   EXPECT_THAT(complete(model, parameter), HasSubstr("turn_bias: 0.25"));
   EXPECT_THAT(complete(parameter, model), Not(HasSubstr("turn_bias: 0.25")));
@@ -65,7 +99,7 @@ TEST_P(MethodWithErrorModels, TheLaterOfModelAndParameterWins) {
 
 TEST_P(MethodWithErrorModels, AMisspeltModelIsToldWithItsPlace) {
   const Settings settings{{"matching_errors", "pioner_matching", {"my.yaml", 9}}};
-  EXPECT_THAT([&] { method_by_name(GetParam()).make(settings, Rng(1)); },
+  EXPECT_THAT([&] { method_by_name(GetParam()).configure(settings); },
               ThrowsMessage<InputError>("my.yaml:9: unknown motion model 'pioner_matching'; did "
                                         "you mean 'pioneer_matching'?"));
 }
@@ -73,10 +107,10 @@ TEST_P(MethodWithErrorModels, AMisspeltModelIsToldWithItsPlace) {
 TEST_P(MethodWithErrorModels, TheStandardFilterCannotLeaveOdometryOut) {
   const Settings settings{{"proposal", "odometry", {"my.yaml", 4}},
                           {"matcher.use_odometry", "false", {"my.yaml", 7}}};
-  EXPECT_THAT([&] { method_by_name(GetParam()).complete_yaml(settings); },
+  EXPECT_THAT([&] { method_by_name(GetParam()).configure(settings).complete_yaml; },
               ThrowsMessage<InputError>(HasSubstr("my.yaml:7: proposal 'odometry' needs the")));
-  EXPECT_NO_THROW(method_by_name(GetParam()).complete_yaml({settings[0]}));
-  EXPECT_NO_THROW(method_by_name(GetParam()).complete_yaml({settings[1]}));
+  EXPECT_NO_THROW(method_by_name(GetParam()).configure({settings[0]}).complete_yaml);
+  EXPECT_NO_THROW(method_by_name(GetParam()).configure({settings[1]}).complete_yaml);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, MethodWithErrorModels,
