@@ -1,15 +1,12 @@
 #include "algorithms/grid/map_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
-#include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include "algorithms/grid/map_image.h"
-#include "core/config/config_node.h"
-#include "core/file/atomic_file.h"
-#include "core/image/png.h"
-#include "core/image/pnm.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -17,119 +14,135 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint8_t kOccupiedGrey = 0;
-constexpr std::uint8_t kFreeGrey = 254;
-
-std::uint8_t grey_of(const Occupancy& cell, const MapFileThresholds& thresholds) {
-  if (!cell.known()) return kUnknownGrey;
-  if (cell.probability > thresholds.occupied) return kOccupiedGrey;
-  return cell.probability < thresholds.free ? kFreeGrey : kUnknownGrey;
-}
-
-GrayImage image_of(const OccupancyMap& map, const CellBox& box,
-                   const MapFileThresholds& thresholds) {
-  GrayImage image(box.width(), box.height());
-  auto pixel = image.pixels().begin();
-  for (int y = box.max.y; y >= box.min.y; --y) {
-    for (int x = box.min.x; x <= box.max.x; ++x) *pixel++ = grey_of(map[{x, y}], thresholds);
-  }
-  return image;
-}
-
-// What the YAML file says.
-struct MapDescription {
-  std::string image;  // path
-  double resolution = 0.0;
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  // [m] lower left corner of the picture
-  bool negate = false;                               // white means occupied
-  MapFileThresholds thresholds;
-};
-
-MapDescription read_description(const std::string& yaml_path) {
-  const ConfigNode file = load_config(yaml_path);
-  MapDescription map;
-  map.image = (fs::path(yaml_path).parent_path() / file.at("image").text()).string();
-  map.resolution = file.at("resolution").number(Unit::none, kPositive);
-  const ConfigNode& origin = file.at("origin");
-  const std::vector<double> pose = origin.numbers();
-  if (pose.size() != 3) {
-    throw InputError(origin.place(), fmt::format("origin has {} numbers", pose.size()),
-                     "it needs x, y and yaw, as in [-10.0, -10.0, 0.0]");
-  }
-  if (pose[2] != 0.0) {
-    throw InputError(origin.place(), fmt::format("the map is turned by {} rad", pose[2]),
-                     "only maps with yaw 0 can be read; turn the picture instead");
-  }
-  map.origin = {pose[0], pose[1]};
-  map.negate = file.at("negate").whole_number(between(0, 1)) == 1;
-  map.thresholds.occupied = file.at("occupied_thresh").number(Unit::none, kShare);
-  map.thresholds.free = file.at("free_thresh").number(Unit::none, kShare);
-  if (map.thresholds.free >= map.thresholds.occupied) {
-    throw InputError(file.at("free_thresh").place(), "free_thresh is not below occupied_thresh",
-                     "the usual values are 0.196 and 0.65");
-  }
-  const ConfigNode* mode = file.find("mode");
-  if (mode != nullptr && mode->text() != "trinary") {
-    throw InputError(mode->place(), "maps of mode " + in_quotes(mode->text()) + " cannot be read",
-                     "save the map in mode trinary");
-  }
-  file.check_all_used("a map file");
-  return map;
-}
-
-// The frame in which the picture's lower left cell is `first`: cell (0, 0) at the map frame's
-// origin where the cells' borders allow it.
+// The frame in which the cell with its lower left corner at `corner` is `first`: cell (0, 0) at the
+// map frame's origin where the cells' borders allow it.
 struct Placement {
   GridFrame frame;
   CellIndex first;
 };
 
-Placement place(const MapDescription& map) {
-  const Eigen::Vector2d cells = map.origin / map.resolution;
+Placement place(const Eigen::Vector2d& corner, double resolution) {
+  const Eigen::Vector2d cells = corner / resolution;
   const Eigen::Vector2d whole(std::round(cells.x()), std::round(cells.y()));
   constexpr double kReach = OccupancyMap::kMaxTiles * OccupancyMap::kTileSide / 2;
   const bool aligned = (cells - whole).cwiseAbs().maxCoeff() < 1e-6;
   if (aligned && whole.cwiseAbs().maxCoeff() < kReach) {
-    return {GridFrame{.resolution = map.resolution},
+    return {GridFrame{.resolution = resolution},
             {static_cast<int>(whole.x()), static_cast<int>(whole.y())}};
   }
-  return {GridFrame{.resolution = map.resolution, .origin = map.origin}, {0, 0}};
+  return {GridFrame{.resolution = resolution, .origin = corner}, {0, 0}};
 }
 
-Occupancy occupancy_of(std::uint8_t grey, const MapDescription& map) {
-  const double probability = (map.negate ? grey : 255 - grey) / 255.0;
-  if (probability > map.thresholds.occupied) return known(1.0);
-  return probability < map.thresholds.free ? known(0.0) : Occupancy{};
+void check_sides(const MapServerMap& map) {
+  constexpr int kMost = (OccupancyMap::kMaxTiles / 2) * OccupancyMap::kTileSide;
+  if (std::max(map.occupancy.width(), map.occupancy.height()) <= kMost) return;
+  throw InputError("a map of " + std::to_string(map.occupancy.width()) + " x " +
+                   std::to_string(map.occupancy.height()) + " cells is too long; at most " +
+                   std::to_string(kMost) + " fit; make its picture coarser");
+}
+
+// The upright box around the picture, in the map frame.
+Eigen::AlignedBox2d bounds_of(const MapServerMap& map) {
+  const double width = map.occupancy.width() * map.resolution;
+  const double height = map.occupancy.height() * map.resolution;
+  Eigen::AlignedBox2d box;
+  for (const double x : {0.0, width}) {
+    for (const double y : {0.0, height}) box.extend(map.map_from_image * Eigen::Vector2d(x, y));
+  }
+  return box;
+}
+
+OccupancyMap turned_map_of(const MapServerMap& map) {
+  const Eigen::AlignedBox2d bounds = bounds_of(map);
+  const Placement placement = place(bounds.min(), map.resolution);
+  const Pose2 image_from_map = inverse(map.map_from_image);
+  const Eigen::Array2d sides = (bounds.sizes() / map.resolution).array();
+  const Eigen::Array2i cells = (sides - 1e-6).ceil().cast<int>();
+  OccupancyMap result(placement.frame);
+  OccupancyMap::Writer writer(result);
+  for (int y = placement.first.y; y < placement.first.y + cells.y(); ++y) {
+    for (int x = placement.first.x; x < placement.first.x + cells.x(); ++x) {
+      const Eigen::Vector2d in_image = image_from_map * result.center_of({x, y});
+      const Eigen::Array2d pixel = (in_image / map.resolution).array().floor();
+      const int column = static_cast<int>(pixel.x());
+      const int row = map.occupancy.height() - 1 - static_cast<int>(pixel.y());
+      if (!map.occupancy.contains(column, row)) continue;
+      const float occupancy = map.occupancy.at(column, row);
+      if (occupancy >= 0.0F) writer.at({x, y}) = {occupancy};
+    }
+  }
+  return result;
+}
+
+// Greys are probabilities, in full steps; the grey of the unknown is as to_image() draws it.
+Image<float> occupancy_of_picture(const std::string& path) {
+  MapServerFile greys;
+  greys.mode = MapServerMode::scale;
+  greys.thresholds = {.occupied = 1.0, .free = 0.0};
+  Image<float> occupancy = occupancy_of(read_samples(path), greys);
+  constexpr auto kGreyOfUnknown = static_cast<float>((255 - kUnknownGrey) / 255.0);
+  std::replace(occupancy.pixels().begin(), occupancy.pixels().end(), kGreyOfUnknown,
+               MapServerMap::kUnknown);
+  return occupancy;
+}
+
+bool is_yaml(const fs::path& path) {
+  return path.extension() == ".yaml" || path.extension() == ".yml";
 }
 
 }  // namespace
 
-void write_map(const std::string& stem, const OccupancyMap& map,
-               const MapFileThresholds& thresholds) {
-  const CellBox box = image_box(map, stem);
-  const Eigen::Vector2d corner = map.frame().corner_of(box.min);
-  write_pgm(stem + ".pgm", image_of(map, box, thresholds));
-  write_file(stem + ".yaml",
-             fmt::format("image: {}\nmode: trinary\nresolution: {}\norigin: [{}, {}, 0]\n"
-                         "negate: 0\noccupied_thresh: {}\nfree_thresh: {}\n",
-                         fs::path(stem + ".pgm").filename().string(), map.resolution(), corner.x(),
-                         corner.y(), thresholds.occupied, thresholds.free));
-}
-
-OccupancyMap read_map(const std::string& yaml_path) {
-  const MapDescription description = read_description(yaml_path);
-  const bool is_png = fs::path(description.image).extension() == ".png";
-  const GrayImage image = is_png ? read_gray_png(description.image) : read_pgm(description.image);
-  const Placement placement = place(description);
-  OccupancyMap map(placement.frame);
-  OccupancyMap::Writer writer(map);
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) {
-      const Occupancy cell = occupancy_of(image.at(x, image.height() - 1 - y), description);
-      if (cell.known()) writer.at({placement.first.x + x, placement.first.y + y}) = cell;
+OccupancyMap occupancy_map_of(const MapServerMap& map) {
+  check_sides(map);
+  if (map.map_from_image.theta != 0.0) return turned_map_of(map);
+  const Placement placement = place(map.map_from_image.position(), map.resolution);
+  OccupancyMap result(placement.frame);
+  OccupancyMap::Writer writer(result);
+  for (int y = 0; y < map.occupancy.height(); ++y) {
+    for (int x = 0; x < map.occupancy.width(); ++x) {
+      const float occupancy = map.occupancy.at(x, map.occupancy.height() - 1 - y);
+      if (occupancy >= 0.0F)
+        writer.at({placement.first.x + x, placement.first.y + y}) = {occupancy};
     }
   }
-  return map;
+  return result;
+}
+
+void write_map(const std::string& stem, const OccupancyMap& map,
+               const MapServerThresholds& thresholds) {
+  const CellBox box = image_box(map, stem);
+  const Eigen::Vector2d corner = map.frame().corner_of(box.min);
+  MapServerMap file{.occupancy = Image<float>(box.width(), box.height()),
+                    .resolution = map.resolution(),
+                    .map_from_image = {corner.x(), corner.y(), 0.0},
+                    .thresholds = thresholds};
+  auto pixel = file.occupancy.pixels().begin();
+  for (int y = box.max.y; y >= box.min.y; --y) {
+    for (int x = box.min.x; x <= box.max.x; ++x) *pixel++ = map[{x, y}].probability;
+  }
+  write_map_server(stem, file);
+}
+
+OccupancyMap read_map(const std::string& path, std::optional<double> resolution) {
+  if (is_yaml(path)) return occupancy_map_of(read_map_server(path));
+  MapServerMap map;
+  map.occupancy = occupancy_of_picture(path);
+  if (resolution) {
+    map.resolution = *resolution;
+    return occupancy_map_of(map);
+  }
+  const std::string beside = fs::path(path).replace_extension(".yaml").string();
+  if (!fs::exists(beside)) {
+    throw InputError({path}, "does not say how large its cells are",
+                     "give --resolution, or put " + in_quotes(beside) + " beside it");
+  }
+  const MapServerFile file = read_map_server_file(beside);
+  const bool names_it =
+      fs::path(file.image).lexically_normal() == fs::path(path).lexically_normal();
+  if (names_it) return occupancy_map_of(read_map_server(beside));
+  map.resolution = file.resolution;
+  map.map_from_image = file.map_from_image;
+  return occupancy_map_of(map);
 }
 
 }  // namespace mapbed

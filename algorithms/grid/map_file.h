@@ -1,28 +1,28 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "algorithms/grid/occupancy_map.h"
+#include "core/image/map_server.h"
 
 namespace mapbed {
 
-// Maps in the format of map_server and Nav2: a picture (PGM) and a YAML file that says where it
-// lies. In its mode `trinary` a cell is occupied, free or unknown; what lies between the thresholds
-// is unknown.
-struct MapFileThresholds {
-  double occupied = 0.65;  // above: occupied
-  double free = 0.196;     // below: free. The grey of unknown cells, 205, is just above: 50/255
-};
+// Maps from files and into files, in the format of core/image/map_server.h.
 
 // Writes `stem`.pgm and `stem`.yaml, each complete or not at all. Throws InputError where they
 // cannot be written, nothing is known, or the map is too large for a picture.
 void write_map(const std::string& stem, const OccupancyMap& map,
-               const MapFileThresholds& thresholds = {});
+               const MapServerThresholds& thresholds = {});
 
-// The map that a YAML file describes, with probability 0 where free and 1 where occupied. A map
-// whose origin is a multiple of its resolution gets the very cells it was written from. Throws
-// InputError where a file is missing or damaged, and for what we do not read: other modes, turned
-// maps.
-OccupancyMap read_map(const std::string& yaml_path);
+// A map from NAME.yaml, or from a picture as to_image() draws it, which keeps how likely a cell is
+// occupied. The picture lies where the NAME.yaml beside it says, or its cells are `resolution` [m]
+// wide and begin at the origin; a picture that this file itself names is read as the file says.
+// Throws InputError.
+OccupancyMap read_map(const std::string& path, std::optional<double> resolution = {});
+
+// A map whose origin is a multiple of its resolution gets the very cells it was written from. Of a
+// turned one, each cell takes the pixel that holds its centre.
+OccupancyMap occupancy_map_of(const MapServerMap& map);
 
 }  // namespace mapbed

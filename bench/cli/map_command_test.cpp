@@ -8,7 +8,7 @@
 
 #include "bench/cli/testing/command_test.h"
 #include "core/geometry/tum_file.h"
-#include "core/image/png.h"
+#include "core/image/samples.h"
 #include "core/log/dialects/carmen_log.h"
 #include "core/testing/source_tree.h"
 #include "core/testing/test_room.h"
@@ -47,12 +47,12 @@ TEST_F(MapCommand, WritesMapTrajectoryAndFiguresBesideTheCaller) {
   const Trajectory trajectory = load_trajectory(path("room_map/trajectory.tum"));
   ASSERT_EQ(trajectory.size(), log_.true_poses.size());
   EXPECT_NEAR(trajectory.front().time, log_.true_poses.front().time, 1e-6) << "absolute stamps";
-  const GrayImage map = read_gray_png(path("room_map/map.png"));
+  const Samples map = read_samples(path("room_map/map.png"));
   // What lies before the start, 1 m behind the middle of 6 m x 4 m: 4 m each way at 5 cm. The drive
   // of 2.5 m may turn the map by some 0.06 rad (two sigma), which moves its corners by 5 cells.
-  EXPECT_NEAR(map.width(), 4.0 / 0.05, 6);
-  EXPECT_NEAR(map.height(), 4.0 / 0.05, 10);
-  EXPECT_GT(read_rgb_png(path("room_map/picture.png")).height(), map.height());
+  EXPECT_NEAR(map.width, 4.0 / 0.05, 6);
+  EXPECT_NEAR(map.height, 4.0 / 0.05, 10);
+  EXPECT_GT(read_samples(path("room_map/picture.png")).height, map.height);
   EXPECT_THAT(text("room_map/map.yaml"), HasSubstr("resolution: 0.05"));
   EXPECT_TRUE(fs::exists(path("room_map/map.pgm")));
   EXPECT_THAT(text("room_map/summary.json"),

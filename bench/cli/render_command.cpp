@@ -8,10 +8,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "algorithms/grid/map_file.h"
 #include "bench/cli/commands.h"
 #include "bench/plot/map_picture.h"
 #include "bench/plot/world_picture.h"
-#include "bench/sources/map_loader.h"
 #include "core/config/quantity.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
@@ -63,7 +63,7 @@ int render(const RenderArguments& arguments) {
     resolution = parse_quantity(arguments.resolution, Unit::meter, {"--resolution", 0});
     if (!(*resolution > 0.0)) throw InputError("--resolution must be greater than 0 m");
   }
-  const OccupancyMap map = load_map(arguments.map, resolution);
+  const OccupancyMap map = read_map(arguments.map, resolution);
   std::vector<DrawnPath> paths;
   for (const std::string& path : arguments.trajectories) {
     const std::string name = paths.size() < arguments.names.size()
@@ -82,9 +82,10 @@ void add_render_command(CLI::App& program, Action& action) {
       program.add_subcommand("render", "Draw a map with its trajectories, or a world");
   const auto arguments = std::make_shared<RenderArguments>();
   command
-      ->add_option("MAP|WORLD", arguments->map,
-                   "map.yaml as map servers read it, or a .png with such a file beside it; or a "
-                   "world's name or file")
+      ->add_option(
+          "MAP|WORLD", arguments->map,
+          "map.yaml as map servers read it, or a .png or .pgm with such a file beside it; or "
+          "a world's name or file")
       ->required();
   command->add_option("-o,--output", arguments->output, "the picture, a PNG file")->required();
   command
@@ -97,7 +98,7 @@ void add_render_command(CLI::App& program, Action& action) {
                    "where left out")
       ->allow_extra_args(false);
   command->add_option("--resolution", arguments->resolution,
-                      "side of a .png's cell, as in '5 cm', where no .yaml says it");
+                      "side of a picture's cell, as in '5 cm', where no .yaml says it");
   command
       ->add_option("--size", arguments->picture.longest_side,
                    "[pixels] of the map's longer side, at most")

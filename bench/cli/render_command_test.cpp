@@ -32,12 +32,12 @@ TEST_F(RenderCommand, DrawsAWorldByItsNameAndByItsFile) {
       call({"render", "corridor", "-o", "corridor.png", "--set", "length=12 m", "--set",
             "doors_a_side=2", "--camera", "width=64", "--camera", "height=48"});
   ASSERT_EQ(by_name.status, 0) << by_name.err;
-  EXPECT_EQ(read_rgb_png(path("corridor.png")).width(), 64);
+  EXPECT_EQ(read_samples(path("corridor.png")).width, 64);
   write("lab.yaml", "shapes: [{name: crate, box: [1 m, 1 m, 1 m]}]\n");
   const Outcome by_file = call(
       {"render", "lab.yaml", "-o", "lab.png", "--camera", "width=32", "--camera", "height=32"});
   ASSERT_EQ(by_file.status, 0) << by_file.err;
-  EXPECT_EQ(read_rgb_png(path("lab.png")).height(), 32);
+  EXPECT_EQ(read_samples(path("lab.png")).height, 32);
 }
 
 TEST_F(RenderCommand, DrawsARobotOnItsWayThroughAWorld) {
@@ -49,7 +49,7 @@ TEST_F(RenderCommand, DrawsARobotOnItsWayThroughAWorld) {
   ASSERT_EQ(call(alone).status, 0);
   const Outcome outcome = call(together);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(read_rgb_png(path("alone.png")), read_rgb_png(path("together.png")));
+  EXPECT_NE(read_samples(path("alone.png")), read_samples(path("together.png")));
 }
 
 TEST_F(RenderCommand, SaysWhatIsWrongWithAWorld) {
@@ -66,9 +66,9 @@ TEST_F(RenderCommand, DrawsAMapWithItsTrajectory) {
   const Outcome drawn = call({"render", "room.yaml", "--output", "drawn.png", "--trajectory",
                               "drive.txt", "--name", "by odometry"});
   ASSERT_EQ(drawn.status, 0) << drawn.err;
-  const RgbImage a = read_rgb_png(path("plain.png"));
-  const RgbImage b = read_rgb_png(path("drawn.png"));
-  EXPECT_GE(a.width(), 50 * 12);
+  const Samples a = read_samples(path("plain.png"));
+  const Samples b = read_samples(path("drawn.png"));
+  EXPECT_GE(a.width, 50 * 12);
   EXPECT_NE(a, b);
 }
 
@@ -76,7 +76,7 @@ TEST_F(RenderCommand, APictureKeepsItsGreysAndTakesItsPlaceFromTheFileBesideIt) 
   const Outcome outcome = call({"render", "room.png", "-o", "a.png", "--trajectory", "drive.txt"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   fs::remove(path("room.yaml"));
-  expect_refusal({"render", "room.png", "-o", "b.png"}, "add --resolution");
+  expect_refusal({"render", "room.png", "-o", "b.png"}, "give --resolution");
   EXPECT_EQ(call({"render", "room.png", "-o", "b.png", "--resolution", "10 cm"}).status, 0);
 }
 
@@ -85,7 +85,8 @@ TEST_F(RenderCommand, SaysWhatIsWrong) {
   write("half.yaml", "image: room.pgm\n");
   expect_refusal({"render", "room.yaml"}, "--output is required");
   expect_refusal({"render", "absent.yaml", "-o", "x.png"}, "absent.yaml");
-  expect_refusal({"render", "drive.txt", "-o", "x.png"}, "drive.txt: is no map");
+  expect_refusal({"render", "drive.txt", "-o", "x.png"},
+                 "drive.txt: is neither a PNG nor a PGM picture");
   expect_refusal({"render", "text.png", "-o", "x.png", "--resolution", "1 m"}, "text.png");
   expect_refusal({"render", "half.yaml", "-o", "x.png"}, "half.yaml");
   expect_refusal({"render", "room.png", "-o", "x.png", "--resolution", "3 kg"},

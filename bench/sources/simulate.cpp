@@ -8,7 +8,7 @@
 #include "core/config/config_node.h"
 #include "core/file/text_file.h"
 #include "core/geometry/tum_file.h"
-#include "core/image/pnm.h"
+#include "core/image/map_server.h"
 #include "core/log/dialects/carmen_log.h"
 #include "sim/relations.h"
 #include "worlds/geometry/raster.h"
@@ -85,20 +85,19 @@ void write_true_map(const std::string& stem, const SimulationResult& result) {
   RasterOptions options;
   if (!result.robot.lasers.empty()) options.height = result.robot.lasers.front().height;
   const TrueMap map = raster(result.world, options);
-  GrayImage image(map.width, map.height, 205);  // as map_server draws the unknown
+  MapServerMap file{
+      .occupancy = Image<float>(map.width, map.height, MapServerMap::kUnknown),
+      .resolution = map.resolution,
+      .map_from_image = {map.origin.x(), map.origin.y(), 0.0},
+  };
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
       const TrueCell cell = map.at(x, y);
-      if (cell == TrueCell::free) image.at(x, map.height - 1 - y) = 254;
-      if (cell == TrueCell::occupied) image.at(x, map.height - 1 - y) = 0;
+      if (cell == TrueCell::free) file.occupancy.at(x, map.height - 1 - y) = 0.0F;
+      if (cell == TrueCell::occupied) file.occupancy.at(x, map.height - 1 - y) = 1.0F;
     }
   }
-  write_pgm(stem + "_map.pgm", image);
-  const std::string file = stem.substr(stem.find_last_of('/') + 1);
-  write_text_file(stem + "_map.yaml",
-                  fmt::format("image: {}_map.pgm\nresolution: {}\norigin: [{}, {}, 0]\nnegate: 0\n"
-                              "occupied_thresh: 0.65\nfree_thresh: 0.196\n",
-                              file, map.resolution, map.origin.x(), map.origin.y()));
+  write_map_server(stem + "_map", file);
 }
 
 }  // namespace

@@ -1,14 +1,9 @@
 #include "worlds/file/plan_import.h"
 
-#include <algorithm>
-#include <filesystem>
 #include <map>
 #include <vector>
 
-#include "core/config/config_node.h"
-#include "core/geometry/pose2.h"
-#include "core/image/png.h"
-#include "core/image/pnm.h"
+#include "core/image/map_server.h"
 #include "core/input_error.h"
 #include "worlds/build/building.h"
 
@@ -17,41 +12,6 @@ namespace {
 
 constexpr std::size_t kMostPieces = 200'000;
 
-struct PlanFile {
-  GrayImage image;
-  double resolution;      // [m] of a pixel
-  Pose2 world_from_plan;  // the low left corner of the image
-  bool negate;
-  double occupied_from;  // share of black
-};
-
-GrayImage read_image(const std::string& path, const SourceLocation& place) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending == ".pgm") return read_pgm(path);
-  if (ending == ".png") return read_gray_png(path);
-  throw InputError(place, "image '" + path + "' is neither .pgm nor .png", "convert it to one");
-}
-
-PlanFile read_plan(const std::string& path) {
-  const ConfigNode file = load_config(path);
-  const ConfigNode& image = file.at("image");
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  const ConfigNode& origin = file.at("origin");
-  const std::vector<double> o = origin.numbers();
-  if (o.size() != 3)
-    throw InputError(origin.place(), "origin has " + std::to_string(o.size()) + " numbers",
-                     "write [x, y, yaw]");
-  const ConfigNode* negate = file.find("negate");
-  const ConfigNode* occupied = file.find("occupied_thresh");
-  PlanFile plan{read_image((folder / image.text()).string(), image.place()),
-                file.at("resolution").number(Unit::none, kPositive),
-                {o[0], o[1], o[2]},
-                negate != nullptr && negate->whole_number(between(0, 1)) == 1,
-                occupied == nullptr ? 0.65 : occupied->number(Unit::none, kShare)};
-  file.use_all();  // other programs write more keys, none of which changes the walls
-  return plan;
-}
-
 // Columns [first, last) of one row.
 struct Run {
   int first;
@@ -59,16 +19,16 @@ struct Run {
   auto operator<=>(const Run&) const = default;
 };
 
-std::vector<Run> occupied_runs(const PlanFile& plan, int row) {
+std::vector<Run> occupied_runs(const MapServerMap& plan, int row) {
+  const int width = plan.occupancy.width();
   const auto is_occupied = [&](int column) {
-    const double white = plan.image.at(column, row) / 255.0;
-    return (plan.negate ? white : 1.0 - white) > plan.occupied_from;
+    return plan.occupancy.at(column, row) > plan.thresholds.occupied;
   };
   std::vector<Run> runs;
-  for (int column = 0; column < plan.image.width(); ++column) {
+  for (int column = 0; column < width; ++column) {
     if (!is_occupied(column)) continue;
     const int first = column;
-    while (column < plan.image.width() && is_occupied(column)) ++column;
+    while (column < width && is_occupied(column)) ++column;
     runs.push_back({first, column});
   }
   return runs;
@@ -81,12 +41,12 @@ struct Patch {
 };
 
 // Runs of equal columns in rows that follow each other become one patch.
-std::vector<Patch> occupied_patches(const PlanFile& plan) {
+std::vector<Patch> occupied_patches(const MapServerMap& plan) {
   std::vector<Patch> done;
   std::map<Run, int> open;  // columns -> first row
-  for (int row = 0; row <= plan.image.height(); ++row) {
+  for (int row = 0; row <= plan.occupancy.height(); ++row) {
     const std::vector<Run> runs =
-        row < plan.image.height() ? occupied_runs(plan, row) : std::vector<Run>{};
+        row < plan.occupancy.height() ? occupied_runs(plan, row) : std::vector<Run>{};
     std::map<Run, int> still_open;
     for (const Run& run : runs) {
       const auto before = open.find(run);
@@ -103,10 +63,10 @@ std::vector<Patch> occupied_patches(const PlanFile& plan) {
 }  // namespace
 
 void add_plan(World& world, const PlanOptions& options) {
-  const PlanFile plan = read_plan(options.file);
+  const MapServerMap plan = read_map_server(options.file);
   Entity walls{.name = "plan",
                .kind = EntityKind::structure,
-               .world_from_entity = upright(plan.world_from_plan)};
+               .world_from_entity = upright(plan.map_from_image)};
   const int material = material_index(world, options.material);
   const double m = plan.resolution;
   const std::vector<Patch> patches = occupied_patches(plan);
@@ -121,7 +81,7 @@ void add_plan(World& world, const PlanOptions& options) {
     const double width = m * (patch.columns.last - patch.columns.first);
     const double depth = m * (patch.rows.last - patch.rows.first);
     const double x = m * (patch.columns.first + patch.columns.last) / 2;
-    const double y = m * (plan.image.height() - 0.5 * (patch.rows.first + patch.rows.last));
+    const double y = m * (plan.occupancy.height() - 0.5 * (patch.rows.first + patch.rows.last));
     walls.parts.push_back({.name = "wall",
                            .geometry = Box{{width, depth, options.height}},
                            .entity_from_part = upright({x, y, 0.0}, options.height / 2),
@@ -129,7 +89,7 @@ void add_plan(World& world, const PlanOptions& options) {
   }
   if (walls.parts.empty()) {
     throw InputError({options.file}, "the plan has no occupied pixel",
-                     "check negate and occupied_thresh");
+                     "check mode, negate and occupied_thresh");
   }
   world.entities.push_back(std::move(walls));
   world.ceiling = options.height;

@@ -6,8 +6,8 @@
 
 namespace mapbed {
 
-// Walls from the plan of a building: an image with its map_server file (image, resolution, origin,
-// negate, occupied_thresh, free_thresh), as written by most mapping programs. Every occupied pixel
+// Walls from the plan of a building: an image with its map_server file (core/image/map_server.h),
+// as written by most mapping programs. Every pixel that is occupied with more than occupied_thresh
 // becomes solid up to `height`; runs of pixels are merged into boxes. Unknown ones stay open.
 struct PlanOptions {
   std::string file;     // of map_server, beside its image

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/image/pnm.h"
+#include "core/image/pgm.h"
 #include "core/testing/source_tree.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
@@ -114,6 +114,41 @@ TEST_F(WorldFile, MakesWallsOfAPlan) {
       << "top, bottom, left and right side, and the nose";
 }
 
+TEST_F(WorldFile, APlanOfPercentsHasTheSameWallsAsOneOfBlackAndWhite) {
+  GrayImage greys(8, 4, 254), percents(8, 4, 0);
+  for (int x = 1; x < 7; ++x) {
+    greys.at(x, 2) = 20;
+    percents.at(x, 2) = 90;
+  }
+  greys.at(5, 0) = 205;
+  percents.at(5, 0) = 255;  // unknown in both
+  write_pgm(folder_.file("greys.pgm"), greys);
+  write_pgm(folder_.file("percents.pgm"), percents);
+  const std::string place = "resolution: 0.5\norigin: [0, 0, 0]\n";
+  write("greys.yaml", "image: greys.pgm\n" + place);
+  write("percents.yaml", "image: percents.pgm\nmode: raw\n" + place);
+  const World first = load("plan: {file: greys.yaml}\n");
+  const World second = load("plan: {file: percents.yaml}\n");
+  const RasterOptions options{.height = 1.0, .resolution = 0.5, .margin = 0.0};
+  EXPECT_EQ(raster(first, options).entities, raster(second, options).entities);
+  ASSERT_EQ(entity_named(second, "plan").parts.size(), 1u);
+  EXPECT_EQ(std::get<Box>(entity_named(second, "plan").parts[0].geometry).size,
+            Eigen::Vector3d(3.0, 0.5, 2.5));
+}
+
+TEST_F(WorldFile, APlanStandsAsItsOriginIsTurned) {
+  GrayImage image(6, 1, 254);
+  image.at(5, 0) = 0;  // its middle is 2.75 m along the lower edge and 0.25 m beside it
+  write_pgm(folder_.file("plan.pgm"), image);
+  write("plan.yaml", "image: plan.pgm\nresolution: 0.5\norigin: [1.0, 2.0, 1.5707963267948966]\n");
+  const World world = load("plan: {file: plan.yaml}\n");
+  const Entity& plan = entity_named(world, "plan");
+  const Eigen::Vector3d middle =
+      (plan.world_from_entity * plan.parts.at(0).entity_from_part).position;
+  EXPECT_NEAR(middle.x(), 1.0 - 0.25, 1e-9);
+  EXPECT_NEAR(middle.y(), 2.0 + 2.75, 1e-9);
+}
+
 TEST_F(WorldFile, RefusesAPlanThatIsAllSpeckles) {
   GrayImage image(640, 640, 254);
   for (int y = 0; y < 640; ++y) {
@@ -183,7 +218,7 @@ TEST_F(WorldFile, RefusesDamagedMeshesAndPlansByLine) {
   EXPECT_INPUT_ERROR(load("shapes: [{mesh: bad.obj}]\n"),
                      "bad.obj:1: a vertex needs three numbers");
   write("plan.yaml", "image: plan.jpg\nresolution: 0.05\norigin: [0, 0, 0]\n");
-  EXPECT_INPUT_ERROR(load("plan: {file: plan.yaml}\n"), "neither .pgm nor .png");
+  EXPECT_INPUT_ERROR(load("plan: {file: plan.yaml}\n"), "plan.yaml:1: there is no picture");
   EXPECT_INPUT_ERROR(load("plan: {file: missing.yaml}\n"), "missing.yaml");
 }
 
