@@ -38,7 +38,7 @@ std::filesystem::path data_home() {
   if (const char* home = std::getenv("MAPBED_HOME"); home != nullptr && *home != '\0') {
     if (is_folder(home)) return home;
     throw InputError(std::string("MAPBED_HOME is '") + home +
-                     "', which is no folder; unset it or name the folder that holds robots/");
+                     "', which is not a folder; unset it or name the folder that holds robots/");
   }
   for (const fs::path& home :
        {beside_program(), fs::path(MAPBED_DATA_INSTALL_DIR), fs::path(MAPBED_DATA_SOURCE_DIR)}) {

@@ -25,7 +25,8 @@ TEST(DataPath, TheEnvironmentComesFirst) {
 
 TEST(DataPath, AWrongEnvironmentIsNamed) {
   const Home home("/no/such/folder");
-  EXPECT_INPUT_ERROR(data_home(), "MAPBED_HOME is '/no/such/folder', which is no folder; unset it");
+  EXPECT_INPUT_ERROR(data_home(),
+                     "MAPBED_HOME is '/no/such/folder', which is not a folder; unset it");
 }
 
 TEST(DataPath, FindsByNameAndByPath) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/file/text_file.h"
+#include "core/file/tokens.h"
 #include "core/input_error.h"
 
 // The lines, in this order; blanks between fields, names last since they may have blanks:

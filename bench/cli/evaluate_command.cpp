@@ -11,6 +11,7 @@
 #include "bench/metrics/evaluation.h"
 #include "core/file/atomic_file.h"
 #include "core/file/text_file.h"
+#include "core/file/tokens.h"
 #include "core/geometry/tum_file.h"
 #include "core/input_error.h"
 #include "core/log/log_file.h"

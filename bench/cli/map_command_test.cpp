@@ -120,7 +120,7 @@ TEST_F(MapCommand, SaysWhatIsWrongWithItsOptions) {
   expect_refusal({"map", "room.log", "--methd", "odometry"}, "did you mean '--method'?");
   expect_refusal({"map", "room.log", "--set", "map.resolution"}, "path=value");
   expect_refusal({"map", "room.log", "--set", "map.resolutoin=5 cm"}, "did you mean 'resolution'?");
-  expect_refusal({"map", "room.log", "--resolution", "5 kg"}, "'5 kg' is no length");
+  expect_refusal({"map", "room.log", "--resolution", "5 kg"}, "'5 kg' is not a length");
   expect_refusal({"map", "room.log", "--resolution", "0 m"}, "resolution");
   expect_refusal({"map", "room.log", "--resolution", "nan m"}, "nan");
   expect_refusal({"map", "room.log", "--seed", "first"}, "first");

@@ -67,7 +67,7 @@ TEST(MapConfig, TellsWhereAnOptionOfTheMethodBelongs) {
 }
 
 TEST(MapConfig, RefusesWrongUnitsAndSizesThatMakeNoSense) {
-  EXPECT_THAT([] { config_of({"map.resolution=2 kg"}); }, refuses_with("'2 kg' is no length"));
+  EXPECT_THAT([] { config_of({"map.resolution=2 kg"}); }, refuses_with("'2 kg' is not a length"));
   EXPECT_THAT([] { config_of({"map.resolution=-5 cm"}); }, refuses_with("resolution"));
   EXPECT_THAT([] { config_of({"map.resolution=nan"}); }, refuses_with("nan"));
   EXPECT_THAT([] { config_of({"map.resolution=5"}); }, refuses_with("5"));

@@ -90,7 +90,7 @@ TEST_F(RenderCommand, SaysWhatIsWrong) {
   expect_refusal({"render", "text.png", "-o", "x.png", "--resolution", "1 m"}, "text.png");
   expect_refusal({"render", "half.yaml", "-o", "x.png"}, "half.yaml");
   expect_refusal({"render", "room.png", "-o", "x.png", "--resolution", "3 kg"},
-                 "'3 kg' is no length");
+                 "'3 kg' is not a length");
   expect_refusal({"render", "room.yaml", "-o", "x.png", "--trajectory", "absent.tum"},
                  "absent.tum");
   expect_refusal({"render", "room.yaml", "-o", "/dev/null/x.png"}, "/dev/null/x.png");

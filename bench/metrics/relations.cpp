@@ -9,6 +9,7 @@
 
 #include "core/check.h"
 #include "core/file/text_file.h"
+#include "core/file/tokens.h"
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
 
@@ -83,18 +84,14 @@ double sigma_of(const std::vector<double>& values, double mean) {
   return std::sqrt(mean_of(squares));
 }
 
+constexpr const char* kLine = "a relation is 't1 t2 x y z roll pitch yaw' in s, m and rad";
+
 Relation parsed(std::string_view line, const SourceLocation& place) {
   std::array<double, 8> field{};
   for (double& number : field) {
     const std::string_view word = next_word(line);
-    if (word.empty()) {
-      throw InputError(place, "a relation has 8 numbers",
-                       "write 't1 t2 x y z roll pitch yaw' in s, m and rad");
-    }
-    if (!parse_number(word, number)) {
-      throw InputError(place, "'" + std::string(word.substr(0, 40)) + "' is no number",
-                       "a relation is 't1 t2 x y z roll pitch yaw' in s, m and rad");
-    }
+    if (word.empty()) throw InputError(place, "a relation has 8 numbers", kLine);
+    number = number_of(word, place, kLine);
   }
   return {field[0], field[1], {field[2], field[3], normalized_angle(field[7])}};
 }
@@ -109,10 +106,8 @@ std::vector<Relation> parse_relations(const std::string& name, std::string_view 
   std::vector<Relation> relations;
   std::string_view rest = text;
   for (long number = 1; !rest.empty(); ++number) {
-    std::string_view line = next_line(rest);
-    std::string_view words = line;
-    const std::string_view first = next_word(words);
-    if (first.empty() || first.starts_with('#')) continue;
+    const std::string_view line = without_blanks(next_line(rest));
+    if (line.empty() || line.starts_with('#')) continue;
     relations.push_back(parsed(line, {name, number}));
   }
   if (relations.empty()) {

@@ -112,8 +112,8 @@ TEST(RelationsFile, IsReadWithCommentsAndEmptyLines) {
 TEST(RelationsFile, NamesTheLineThatIsWrong) {
   EXPECT_THAT(message_of("1 2 0 0 0 0 0 0\n1 2 0 0 0 0\n"),
               HasSubstr("relations_test.relations:2: a relation has 8 numbers"));
-  EXPECT_THAT(message_of("1 2 0 0 0 x 0 0\n"), HasSubstr(":1: 'x' is no number"));
-  EXPECT_THAT(message_of("1 2 0 0 0 nan 0 0\n"), HasSubstr(":1: 'nan' is no number"));
+  EXPECT_THAT(message_of("1 2 0 0 0 x 0 0\n"), HasSubstr(":1: 'x' is not a number"));
+  EXPECT_THAT(message_of("1 2 0 0 0 nan 0 0\n"), HasSubstr(":1: 'nan' is not a number"));
   EXPECT_THAT(message_of(""), HasSubstr("holds no relation"));
 }
 

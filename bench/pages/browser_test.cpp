@@ -12,6 +12,7 @@
 #include "bench/pages/testing/example_results.h"
 #include "bench/plot/svg_text.h"
 #include "core/file/text_file.h"
+#include "core/file/tokens.h"
 #include "core/testing/temporary_folder.h"
 
 namespace mapbed {

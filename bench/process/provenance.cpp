@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "bench/process/version.h"
-#include "core/file/sha256.h"
+#include "core/file/hash.h"
 
 namespace mapbed {
 namespace {

@@ -55,7 +55,7 @@ Integer whole_number(const std::string& text, const SourceLocation& place) {
   Integer value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc{} && end == text.data() + text.size()) return value;
-  throw InputError(place, in_quotes(text) + " is no whole number");
+  throw InputError(place, in_quotes(text) + " is not a whole number");
 }
 
 RunRow run_of(const CsvRow& row, const Results& plan, const SourceLocation& place) {

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "core/file/csv_file.h"
-#include "core/file/sha256.h"
+#include "core/file/hash.h"
 #include "core/file/text_file.h"
 #include "core/input_error.h"
 

@@ -22,7 +22,7 @@
 #include "bench/scenario/runner.h"
 #include "core/check.h"
 #include "core/file/atomic_file.h"
-#include "core/file/sha256.h"
+#include "core/file/hash.h"
 
 namespace mapbed {
 namespace {

@@ -65,7 +65,7 @@ Integer parse_integer(const std::string& text, const Bounds& bounds, const Sourc
   }
   if (error != std::errc() || end != last) {
     const bool sign = std::is_unsigned_v<Integer> && text.starts_with("-");
-    throw InputError(place, in_quotes(text) + " is no whole number",
+    throw InputError(place, in_quotes(text) + " is not a whole number",
                      sign ? "write e.g. '3', it cannot be negative" : "write e.g. '3'");
   }
   check_bounds(static_cast<double>(value), Unit::none, bounds, text, place);
@@ -125,7 +125,7 @@ bool ConfigNode::flag() const {
 int ConfigNode::choice(const std::vector<std::string>& names) const {
   const auto found = std::find(names.begin(), names.end(), text());
   if (found == names.end()) {
-    throw InputError(place_, in_quotes(text_) + " is no choice here", suggestion(text_, names));
+    throw InputError(place_, in_quotes(text_) + " is not a choice here", suggestion(text_, names));
   }
   return static_cast<int>(found - names.begin());
 }

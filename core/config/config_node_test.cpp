@@ -72,7 +72,7 @@ TEST(ConfigNode, MissingKeysAndWrongKindsAreErrorsWithTheirPlace) {
   EXPECT_INPUT_ERROR(file.at("a").items(), "x.yaml:1: '1' stands where a list should be");
   EXPECT_INPUT_ERROR(file.at("list").text(), "x.yaml:2: a list stands where one value should be");
   EXPECT_INPUT_ERROR(file.at("list").find("x"), "a list stands where keys with values should be");
-  EXPECT_INPUT_ERROR(file.at("list").whole_numbers(), "x.yaml:2: 'x' is no whole number");
+  EXPECT_INPUT_ERROR(file.at("list").whole_numbers(), "x.yaml:2: 'x' is not a whole number");
   EXPECT_INPUT_ERROR(file.at("a").number(Unit::meter), "x.yaml:1: '1' needs a unit");
   EXPECT_INPUT_ERROR(file.at("a").number(Unit::none, at_least(2)), "it must be at least 2");
   EXPECT_EQ(file.find("b"), nullptr);
@@ -127,9 +127,9 @@ TEST(YamlReader, RefusesAHundredThousandBrackets) {
 }
 
 TEST(YamlReader, RefusesWhatIsNoText) {
-  EXPECT_INPUT_ERROR(read(std::string("a: 1\n\0 b", 8)), "x.yaml:2: this is no text");
-  EXPECT_INPUT_ERROR(read("a: \xff\xfe"), "this is no text (byte 255)");
-  EXPECT_INPUT_ERROR(read("a: \xc0\x80"), "this is no text");  // overlong
+  EXPECT_INPUT_ERROR(read(std::string("a: 1\n\0 b", 8)), "x.yaml:2: this is not text");
+  EXPECT_INPUT_ERROR(read("a: \xff\xfe"), "this is not text (byte 255)");
+  EXPECT_INPUT_ERROR(read("a: \xc0\x80"), "this is not text");  // overlong
   EXPECT_INPUT_ERROR(read(std::string((1 << 20) + 1, ' ')), "is larger than 1 MB");
   EXPECT_EQ(read("a: Gänge").at("a").text(), "Gänge");
 }

@@ -24,7 +24,7 @@ struct Symbol {
 
 struct Dimension {
   Unit unit;
-  std::string_view noun;        // "'2 kg' is no length"
+  std::string_view noun;        // "'2 kg' is not a length"
   std::string_view remedy;      // "write e.g. …"
   std::vector<Symbol> symbols;  // the SI one first
 };
@@ -125,7 +125,7 @@ double parse_quantity(std::string_view text, Unit unit, const SourceLocation& pl
   }
   if (error != std::errc()) {
     throw InputError(
-        place, shown + " is no number",
+        place, shown + " is not a number",
         unit == Unit::none ? "" : "write e.g. " + std::string(dimension_of(unit).remedy));
   }
   if (!std::isfinite(number)) throw InputError(place, shown + " is not a finite number");
@@ -138,7 +138,7 @@ double parse_quantity(std::string_view text, Unit unit, const SourceLocation& pl
       throw InputError(place, shown + " has a unit, but a bare number is asked for",
                        "write '" + shortest(number) + "'");
     }
-    throw InputError(place, shown + " is no number");
+    throw InputError(place, shown + " is not a number");
   }
   const Dimension& dimension = dimension_of(unit);
   const std::string remedy = "write e.g. " + std::string(dimension.remedy);
@@ -152,7 +152,7 @@ double parse_quantity(std::string_view text, Unit unit, const SourceLocation& pl
     if (!std::isfinite(value)) throw InputError(place, shown + " is too large for a number");
     return value;
   }
-  throw InputError(place, shown + " is no " + std::string(dimension.noun), remedy);
+  throw InputError(place, shown + " is not " + with_article(dimension.noun), remedy);
 }
 
 std::string quantity_text(double value, Unit unit) {

@@ -44,16 +44,16 @@ TEST(Quantity, ABareNumberServesWhereThereIsNoUnitAndZeroEverywhere) {
 
 TEST(Quantity, AWrongUnitIsRefusedWithAnExample) {
   EXPECT_INPUT_ERROR(parse("2 kg", Unit::meter),
-                     "x.yaml:3: '2 kg' is no length; write e.g. '2 m' or '2 cm'");
+                     "x.yaml:3: '2 kg' is not a length; write e.g. '2 m' or '2 cm'");
   EXPECT_INPUT_ERROR(parse("2 m", Unit::none), "write '2'");
   EXPECT_INPUT_ERROR(parse("2", Unit::radian), "'2' needs a unit: it is an angle; write e.g.");
 }
 
 TEST(Quantity, WhatIsNoNumberIsRefused) {
-  EXPECT_INPUT_ERROR(parse("far", Unit::meter), "'far' is no number; write e.g. '2 m'");
-  EXPECT_INPUT_ERROR(parse("", Unit::none), "'' is no number");
-  EXPECT_INPUT_ERROR(parse("+-2", Unit::none), "'+-2' is no number");
-  EXPECT_INPUT_ERROR(parse("1 2", Unit::none), "'1 2' is no number");
+  EXPECT_INPUT_ERROR(parse("far", Unit::meter), "'far' is not a number; write e.g. '2 m'");
+  EXPECT_INPUT_ERROR(parse("", Unit::none), "'' is not a number");
+  EXPECT_INPUT_ERROR(parse("+-2", Unit::none), "'+-2' is not a number");
+  EXPECT_INPUT_ERROR(parse("1 2", Unit::none), "'1 2' is not a number");
   EXPECT_INPUT_ERROR(parse("nan m", Unit::meter), "not a finite number");
   EXPECT_INPUT_ERROR(parse("-inf", Unit::none), "not a finite number");
   EXPECT_INPUT_ERROR(parse("1e999 m", Unit::meter), "too large or too small");

@@ -87,7 +87,7 @@ Setting parse_setting(const std::string& assignment) {
   }
   Setting setting{assignment.substr(0, equals), assignment.substr(equals + 1), place};
   if (!is_valid_path(setting.path)) {
-    throw InputError(place, in_quotes(setting.path) + " is no path of an option",
+    throw InputError(place, in_quotes(setting.path) + " is not the path of an option",
                      "write path=value, e.g. 'robot.odometry.rotation_sigma=2 deg'");
   }
   return setting;
@@ -100,7 +100,7 @@ Settings settings_of(const ConfigNode& node) {
   std::unordered_map<std::string, long> first_line;
   for (const Setting& setting : leaves) {
     if (!is_valid_path(setting.path)) {
-      throw InputError(setting.place, in_quotes(setting.path) + " is no path of an option");
+      throw InputError(setting.place, in_quotes(setting.path) + " is not the path of an option");
     }
     const auto [earlier, is_new] = first_line.emplace(setting.path, setting.place.line);
     if (is_new) continue;

@@ -157,17 +157,19 @@ TEST(Settings, AGroupIsNoOptionAndAnOptionNoGroup) {
 }
 
 TEST(Settings, AWrongValueIsRefusedWithItsPlace) {
-  EXPECT_INPUT_ERROR(robot_from("\nsize: 2 kg"), "x.yaml:2: '2 kg' is no length; write e.g. '2 m'");
-  EXPECT_INPUT_ERROR(robot_from("size: .nan"), "is no number");
+  EXPECT_INPUT_ERROR(robot_from("\nsize: 2 kg"),
+                     "x.yaml:2: '2 kg' is not a length; write e.g. '2 m'");
+  EXPECT_INPUT_ERROR(robot_from("size: .nan"), "is not a number");
   EXPECT_INPUT_ERROR(robot_from("size: nan m"), "not a finite number");
-  EXPECT_INPUT_ERROR(robot_from("size: [1 m]"), "is no number");
-  EXPECT_INPUT_ERROR(robot_from("beams: 1.5"), "x.yaml:1: '1.5' is no whole number");
+  EXPECT_INPUT_ERROR(robot_from("size: [1 m]"), "is not a number");
+  EXPECT_INPUT_ERROR(robot_from("beams: 1.5"), "x.yaml:1: '1.5' is not a whole number");
   EXPECT_INPUT_ERROR(robot_from("beams: 3000000000"), "too large for a whole number");
   EXPECT_INPUT_ERROR(robot_from("seed: -1"), "cannot be negative");
   EXPECT_INPUT_ERROR(robot_from("reverse: yes"), "write 'true' or 'false'");
-  EXPECT_INPUT_ERROR(robot_from("model: oods"), "'oods' is no choice here; did you mean 'odds'?");
+  EXPECT_INPUT_ERROR(robot_from("model: oods"),
+                     "'oods' is not a choice here; did you mean 'odds'?");
   EXPECT_INPUT_ERROR(robot_from("levels: 5 deg"), "'5 deg' stands where a list should be");
-  EXPECT_INPUT_ERROR(robot_from("levels: [5 deg, 2 m]"), "'2 m' is no angle");
+  EXPECT_INPUT_ERROR(robot_from("levels: [5 deg, 2 m]"), "'2 m' is not an angle");
   EXPECT_INPUT_ERROR(robot_from("levels: [[5 deg]]"), "a list stands where one value should be");
   EXPECT_INPUT_ERROR(robot_with({parse_setting("levels=[1 deg")}), "close every bracket");
   EXPECT_INPUT_ERROR(robot_with({parse_setting("levels=[1 deg] junk")}), "--set levels=");
@@ -188,7 +190,7 @@ TEST(Settings, AnAssignmentNeedsAPathAndAnEqualsSign) {
   EXPECT_EQ(parse_setting("a.b=c=d").text, "c=d");
   EXPECT_INPUT_ERROR(parse_setting("a.b"), "--set a.b: there is no '='");
   for (const char* wrong : {"=5", ".a=5", "a.=5", "a..b=5", "a b=5"}) {
-    EXPECT_INPUT_ERROR(parse_setting(wrong), "is no path of an option");
+    EXPECT_INPUT_ERROR(parse_setting(wrong), "is not the path of an option");
   }
 }
 

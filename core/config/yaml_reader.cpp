@@ -178,7 +178,7 @@ void check_is_text(std::string_view yaml, const SourceLocation& start) {
     const std::size_t length = utf8_length(yaml.substr(i));
     if (length == 0 || (byte < 0x20 && !blank) || byte == 0x7f) {
       throw InputError(SourceLocation{start.file, line},
-                       "this is no text (byte " + std::to_string(byte) + ")",
+                       "this is not text (byte " + std::to_string(byte) + ")",
                        "a configuration file is YAML in UTF-8");
     }
     if (byte == '\n') ++line;

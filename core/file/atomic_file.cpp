@@ -42,7 +42,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path) {
   if (fs::is_directory(path))
     throw InputError(SourceLocation{path}, "is a folder", "name a file in it");
   if (fs::exists(path) && !fs::is_regular_file(path)) {
-    throw InputError(SourceLocation{path}, "is no regular file", "write to a file");
+    throw InputError(SourceLocation{path}, "is not a regular file", "write to a file");
   }
   unfinished_ = new_file_beside(path);
   stream_.open(unfinished_, std::ios::binary);

@@ -49,7 +49,7 @@ TEST(AtomicFile, SaysWhereItCannotBeWritten) {
   EXPECT_INPUT_ERROR(write_file(folder.file("no/a.txt"), ""),
                      "no/a.txt: cannot be written: No such file or directory");
   EXPECT_INPUT_ERROR(write_file(folder.file(""), ""), "is a folder");
-  EXPECT_INPUT_ERROR(write_file("/dev/null", ""), "is no regular file");
+  EXPECT_INPUT_ERROR(write_file("/dev/null", ""), "is not a regular file");
 }
 
 }  // namespace

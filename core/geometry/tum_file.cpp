@@ -7,21 +7,19 @@
 #include <fmt/format.h>
 
 #include "core/file/text_file.h"
+#include "core/file/tokens.h"
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
 
 namespace mapbed {
 namespace {
 
+constexpr const char* kLines = "lines are `t x y z qx qy qz qw` or `t x y theta`";
+
 std::vector<double> numbers_of(std::string_view line, const SourceLocation& place) {
   std::vector<double> numbers;
-  for (auto word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line)) {
-    double number = 0.0;
-    if (!parse_number(word, number))
-      throw InputError(place, fmt::format("'{}' is no number", word.substr(0, 40)),
-                       "lines are `t x y z qx qy qz qw` or `t x y theta`");
-    numbers.push_back(number);
-  }
+  for (auto word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line))
+    numbers.push_back(number_of(word, place, kLines));
   return numbers;
 }
 
@@ -32,9 +30,7 @@ double heading(double x, double y, double z, double w) {
 
 Stamped<Pose2> pose_of(const std::vector<double>& n, const SourceLocation& place) {
   if (n.size() == 4) return {n[0], {n[1], n[2], normalized_angle(n[3])}};
-  if (n.size() != 8)
-    throw InputError(place, fmt::format("has {} numbers", n.size()),
-                     "lines are `t x y z qx qy qz qw` or `t x y theta`");
+  if (n.size() != 8) throw InputError(place, fmt::format("has {} numbers", n.size()), kLines);
   const double length = std::sqrt(n[4] * n[4] + n[5] * n[5] + n[6] * n[6] + n[7] * n[7]);
   if (!(std::abs(length - 1.0) <= 0.01))
     throw InputError(place, fmt::format("the quaternion has length {:.3g}, not 1", length),
@@ -50,12 +46,10 @@ Trajectory parse_trajectory(const std::string& name, std::string_view text) {
   while (!text.empty()) {
     ++place.line;
     const std::string_view line = next_line(text);
-    const std::size_t begin = line.find_first_not_of(" \t");
-    if (begin == std::string_view::npos || line[begin] == '#') continue;
-    trajectory.push_back(pose_of(numbers_of(line, place), place));
+    const std::vector<double> numbers = numbers_of(line, place);
+    if (!numbers.empty()) trajectory.push_back(pose_of(numbers, place));
   }
-  if (trajectory.empty())
-    throw InputError({name}, "holds no pose", "lines are `t x y z qx qy qz qw` or `t x y theta`");
+  if (trajectory.empty()) throw InputError({name}, "holds no pose", kLines);
   std::stable_sort(
       trajectory.begin(), trajectory.end(),
       [](const Stamped<Pose2>& a, const Stamped<Pose2>& b) { return a.time < b.time; });

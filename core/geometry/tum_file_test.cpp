@@ -77,11 +77,11 @@ TEST(TumFile, PutsPosesInOrderOfTimeAndKeepsTheOrderOfEqualStamps) {
 
 TEST(TumFile, RefusesWrongLinesByNumber) {
   EXPECT_EQ(message_of("1 0 0 0\n2 0 zero 0\n"),
-            "t.tum:2: 'zero' is no number; lines are `t x y z qx qy qz qw` or `t x y theta`");
+            "t.tum:2: 'zero' is not a number; lines are `t x y z qx qy qz qw` or `t x y theta`");
   EXPECT_EQ(message_of("1 0 0\n"),
             "t.tum:1: has 3 numbers; lines are `t x y z qx qy qz qw` or `t x y theta`");
   EXPECT_EQ(message_of("1 0 0 nan\n"),
-            "t.tum:1: 'nan' is no number; lines are `t x y z qx qy qz qw` or `t x y theta`");
+            "t.tum:1: 'nan' is not a number; lines are `t x y z qx qy qz qw` or `t x y theta`");
   EXPECT_EQ(message_of("1 0 0 0 0 0 0 2\n"),
             "t.tum:1: the quaternion has length 2, not 1; its order is qx qy qz qw");
   EXPECT_EQ(message_of("# nothing\n"),

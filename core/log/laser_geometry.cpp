@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/file/fields.h"
+#include "core/file/tokens.h"
 #include "core/geometry/angle.h"
 
 namespace mapbed {
@@ -12,14 +12,10 @@ namespace {
 std::optional<double> parameter(const RecordedLog& log, const std::string& name) {
   const auto found = log.parameters.find(name);
   if (found == log.parameters.end()) return std::nullopt;
-  Fields fields(found->second);
-  const double value = fields.number();
-  if (!fields.ok() || !std::isfinite(value)) return std::nullopt;
+  Tokens tokens(found->second);
+  const double value = tokens.number();
+  if (!tokens.ok() || !std::isfinite(value)) return std::nullopt;
   return value;
-}
-
-const char* side(int laser) {
-  return laser == 1 ? "rear" : "front";
 }
 
 // In degrees; 0: no laser that we know.
@@ -76,11 +72,20 @@ std::optional<double> pile_at_the_top(std::vector<double>& upper_half) {
 
 }  // namespace
 
+LaserParameterNames parameter_names_of(int laser) {
+  const std::string number = std::to_string(laser + 1);
+  if (laser > 1)
+    return {"robot_laser" + number + "_", "laser_laser" + number + "_",
+            "robot_laser" + number + "_max"};
+  const std::string side = laser == 1 ? "rear" : "front";
+  return {"robot_" + side + "laser_", "laser_" + side + "_laser_", "robot_" + side + "_laser_max"};
+}
+
 std::optional<Bearings> bearings_of(std::size_t beams, int laser, const RecordedLog& log,
                                     const LogOptions& options) {
   if (beams < 2) return std::nullopt;
   const double gaps = static_cast<double>(beams - 1);
-  const std::string prefix = std::string("laser_") + side(laser) + "_laser_";
+  const std::string prefix = parameter_names_of(laser).bearings;
   double step = radians(usual_step(beams));
   if (const auto stated = parameter(log, prefix + "resolution");
       stated && *stated > 0.0 && *stated * gaps <= 360.0)
@@ -107,13 +112,11 @@ std::optional<Bearings> bearings_of(std::size_t beams, int laser, const Recorded
 Pose2 mount_of(int laser, const RecordedLog& log, const LogOptions& options) {
   const auto& given = laser == 1 ? options.robot_from_rear_laser : options.robot_from_laser;
   if (laser <= 1 && !given.empty()) return {given[0], given[1], normalized_angle(given[2])};
-  const std::string prefix = std::string("robot_") + side(laser) + "laser_";
+  const std::string prefix = parameter_names_of(laser).mount;
   Pose2 mount;
-  if (laser <= 1) {
-    mount.x = parameter(log, prefix + "offset").value_or(0.0);
-    mount.y = parameter(log, prefix + "side_offset").value_or(0.0);
-    mount.theta = parameter(log, prefix + "angular_offset").value_or(0.0);
-  }
+  mount.x = parameter(log, prefix + "offset").value_or(0.0);
+  mount.y = parameter(log, prefix + "side_offset").value_or(0.0);
+  mount.theta = parameter(log, prefix + "angular_offset").value_or(0.0);
   // CARMEN states a rear laser's distance behind the centre as a negative offset.
   if (laser == 1) mount.theta += kPi;
   mount.theta = normalized_angle(mount.theta);

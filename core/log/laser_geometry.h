@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/log/log_file.h"
@@ -8,6 +9,15 @@
 // What a scan needs beside its ranges, where its line does not have it.
 
 namespace mapbed {
+
+// What CARMEN's parameters of a laser begin with, or are called. Two have names, front (0) and rear
+// (1); further ones are laser3, laser4, … as in ROBOTLASER3.
+struct LaserParameterNames {
+  std::string mount;      // "robot_frontlaser_", before offset, side_offset and angular_offset
+  std::string bearings;   // "laser_front_laser_", before resolution, fov and max_range
+  std::string max_range;  // "robot_front_laser_max"
+};
+LaserParameterNames parameter_names_of(int laser);
 
 // The bearings of a scan. The options win, then PARAM laser_front_laser_resolution and
 // laser_front_laser_fov ([deg]; rear likewise), then the number of beams as the lasers of CARMEN

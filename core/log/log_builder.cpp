@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "core/check.h"
+#include "core/file/tokens.h"
 #include "core/geometry/angle.h"
 #include "core/log/laser_geometry.h"
 
@@ -38,13 +39,12 @@ bool earlier(const Measurement& a, const Measurement& b) {
 }
 
 double stated_max_range(const RecordedLog& log, int laser) {
-  const char* const names[][2] = {{"robot_front_laser_max", "laser_front_laser_max_range"},
-                                  {"robot_rear_laser_max", "laser_rear_laser_max_range"}};
-  for (const char* name : names[laser == 1]) {
+  const LaserParameterNames names = parameter_names_of(laser);
+  for (const std::string& name : {names.max_range, names.bearings + "max_range"}) {
     const auto found = log.parameters.find(name);
     if (found == log.parameters.end()) continue;
-    const double value = std::strtod(found->second.c_str(), nullptr);
-    if (value > 0.0 && value <= kAbsurdRange) return value;
+    double value = 0.0;
+    if (parse_number(found->second, value) && value > 0.0 && value <= kAbsurdRange) return value;
   }
   return 0.0;
 }
@@ -113,7 +113,7 @@ void LogBuilder::broken(long line, const std::string& reason) {
 bool LogBuilder::stamp_is_usable(double time, long line) {
   ++messages_;
   if (!std::isfinite(time) || std::abs(time) > 1e12) {
-    broken(line, "time stamp that is no time: line left out");
+    broken(line, "time stamp that is not a time: line left out");
     return false;
   }
   if (newest_ - time > options_.reorder_within) {
@@ -150,7 +150,7 @@ void LogBuilder::add(Odometry odometry, long line) {
   if (!stamp_is_usable(odometry.time, line)) return;
   const Pose2& pose = odometry.odometry_from_robot;
   if (!is_finite(pose) || std::abs(pose.x) > 1e7 || std::abs(pose.y) > 1e7) {
-    broken(line, "odometry that is no pose: left out");
+    broken(line, "odometry that is not a pose: left out");
     return;
   }
   odometry.odometry_from_robot.theta = normalized_angle(pose.theta);
@@ -183,7 +183,7 @@ void LogBuilder::forget_scans() {
 
 void LogBuilder::add_true_pose(const Stamped<Pose2>& pose, long line) {
   if (!std::isfinite(pose.time) || !is_finite(pose.pose)) {
-    broken(line, "true pose that is no pose: left out");
+    broken(line, "true pose that is not a pose: left out");
     return;
   }
   log_.true_poses.push_back(pose);

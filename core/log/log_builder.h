@@ -61,12 +61,4 @@ class LogBuilder {
   LogWarning first_broken_;
 };
 
-// The interface of a dialect.
-class LogReader {
- public:
-  virtual ~LogReader() = default;
-  virtual void add_line(std::string_view line, long number) = 0;  // without its line end
-  virtual RecordedLog finish() = 0;
-};
-
 }  // namespace mapbed

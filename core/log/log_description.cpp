@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/config/config_node.h"
-#include "core/file/sha256.h"
+#include "core/file/hash.h"
 
 namespace mapbed {
 namespace {

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/file/sha256.h"
+#include "core/file/hash.h"
 #include "core/file/text_file.h"
 #include "core/geometry/angle.h"
 #include "core/testing/source_tree.h"

@@ -1,24 +1,22 @@
 #include "core/log/log_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <system_error>
 
 #include <fmt/core.h>
 
-#include "core/file/fields.h"
-#include "core/file/text_blocks.h"
-#include "core/log/dialects/carmen_log.h"
-#include "core/log/dialects/coreslam_log.h"
-#include "core/log/dialects/dpslam_log.h"
-#include "core/log/dialects/scan_list_log.h"
+#include "core/file/file_reader.h"
+#include "core/file/tokens.h"
+#include "core/log/dialects/dialects.h"
 
 namespace mapbed {
 namespace {
 
 using namespace std::string_view_literals;
+
+constexpr std::size_t kLongestBeginning = 16u << 20;  // [bytes]
 
 // Some editors write it in front of UTF-8 text.
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf"sv;
@@ -39,66 +37,48 @@ void refuse_bag_folder(const std::string& path) {
   }
 }
 
-void refuse_binary(const std::string& name, std::string_view text) {
-  if (text.starts_with("#ROSBAG"sv)) refuse_bag(name, "ROS 1");
-  if (text.starts_with("SQLite format 3"sv) || text.starts_with("\x89MCAP0\r\n"sv))
+void refuse_bag_file(const std::string& name, std::string_view bytes) {
+  if (bytes.starts_with("#ROSBAG"sv)) refuse_bag(name, "ROS 1");
+  if (bytes.starts_with("SQLite format 3"sv) || bytes.starts_with("\x89MCAP0\r\n"sv))
     refuse_bag(name, "ROS 2");
-  if (text.substr(0, 4096).find('\0') != std::string_view::npos)
-    throw InputError({name}, "is no text", "logs are read as plain text or gzipped text");
 }
 
-// The first line that says something, after the comments.
-struct Beginning {
-  std::string_view header;  // all comments before it
-  std::string_view line;
-};
+bool is_text(std::string_view bytes) {
+  return bytes.substr(0, 4096).find('\0') == std::string_view::npos;
+}
 
-Beginning beginning_of(std::string_view text) {
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view line = text.substr(at, end - at);
-    const std::size_t word = line.find_first_not_of(" \t\r");
-    if (word != std::string_view::npos && line[word] != '#')
-      return {text.substr(0, at), line.substr(word)};
-    at = end + 1;
+LogBeginning beginning_of(std::string_view bytes) {
+  if (!is_text(bytes)) return {bytes, {}, {}};
+  std::string_view rest = bytes;
+  while (!rest.empty()) {
+    const auto at = static_cast<std::size_t>(rest.data() - bytes.data());
+    const std::string_view line = without_blanks(next_line(rest));
+    if (!line.empty() && line[0] != '#') return {bytes, bytes.substr(0, at), line};
   }
-  return {text, {}};
+  return {bytes, bytes, {}};
 }
 
-std::size_t fields_in(std::string_view line) {
-  Fields fields(line);
-  std::size_t count = 0;
-  for (; !fields.at_end(); ++count) fields.word();
-  return count;
+// Whether more bytes would not change what is_text() and beginning_of() say.
+bool is_complete(std::string_view bytes) {
+  const LogBeginning beginning = beginning_of(bytes);
+  return bytes.size() > kLongestBeginning || !is_text(bytes) ||
+         (!beginning.line.empty() && bytes.find('\n', beginning.header.size()) != bytes.npos);
 }
 
-// `t n r…` with as many ranges as it says.
-bool is_scan_list(std::string_view line) {
-  Fields fields(line);
-  fields.number();
-  const std::size_t n = fields.count();
-  return fields.ok() && n > 0 && fields_in(fields.characters()) == n;
-}
-
-std::unique_ptr<LogReader> make_reader(const std::string& name, std::string_view text,
+std::unique_ptr<LogReader> make_reader(const std::string& name, std::string_view bytes,
                                        const LogOptions& options) {
-  refuse_binary(name, text);
-  const Beginning beginning = beginning_of(text);
+  refuse_bag_file(name, bytes);
+  const LogBeginning beginning = beginning_of(bytes);
+  std::string known;
+  for (const LogDialect& dialect : log_dialects()) {
+    if (dialect.fits(beginning)) return dialect.make_reader(name, options);
+    known += (known.empty() ? "" : ", ") + std::string(dialect.name);
+  }
+  if (!is_text(bytes))
+    throw InputError({name}, "is not text", "logs are read as plain text or gzipped text");
   if (beginning.line.empty())
     throw InputError({name}, "is empty", "a log has lines such as FLASER or ROBOTLASER1");
-  const std::string_view word = beginning.line.substr(0, beginning.line.find_first_of(" \t\r"));
-  if (word == "Odometry" || word == "Laser") return make_dpslam_reader(name, options);
-  if (std::isupper(static_cast<unsigned char>(word[0])) != 0)
-    return make_carmen_reader(name, options);
-  double number = 0.0;
-  if (read_number(word.data(), word.data() + word.size(), number) == word.data() + word.size()) {
-    const bool has_header = beginning.header.find("angle_min") != std::string_view::npos;
-    if (has_header || is_scan_list(beginning.line)) return make_scan_list_reader(name, options);
-    if (fields_in(beginning.line) > 600) return make_coreslam_reader(name, options);
-  }
-  throw InputError({name}, "is in no log format that is known here",
-                   "known are CARMEN, CoreSLAM, DP-SLAM and `t n ranges` with a header line");
+  throw InputError({name}, "is in no log format that is known here", "known are " + known);
 }
 
 // The log's first seconds.
@@ -116,36 +96,36 @@ void keep_beginning(RecordedLog& log, const std::string& name, double longest) {
   }
 }
 
-// Cuts blocks into lines and feeds them to the reader of the dialect.
-class Splitter {
+// Tells the dialect by the first pieces and hands all of them to its reader.
+class LogParser {
  public:
-  Splitter(const std::string& name, const LogOptions& options) : name_(name), options_(options) {}
+  LogParser(const std::string& name, const LogOptions& options) : name_(name), options_(options) {}
 
-  void add(std::string_view text) {
-    if (!reader_) {
-      if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-      reader_ = make_reader(name_, text, options_);
-    }
-    while (!text.empty()) {
-      const std::size_t end = text.find('\n');
-      reader_->add_line(text.substr(0, end), ++line_);
-      if (end == std::string_view::npos) break;
-      text.remove_prefix(end + 1);
-    }
+  void add(std::string_view piece) {
+    if (reader_) return reader_->add(piece);
+    beginning_ += piece;
+    if (is_complete(beginning_)) start();
   }
 
   RecordedLog finish() {
-    if (!reader_) reader_ = make_reader(name_, {}, options_);
+    if (!reader_) start();
     RecordedLog log = reader_->finish();
     keep_beginning(log, name_, options_.longest);
     return log;
   }
 
  private:
+  void start() {
+    if (beginning_.starts_with(kByteOrderMark)) beginning_.erase(0, kByteOrderMark.size());
+    reader_ = make_reader(name_, beginning_, options_);
+    reader_->add(beginning_);
+    beginning_ = {};
+  }
+
   std::string name_;
   LogOptions options_;
+  std::string beginning_;  // until the reader is there
   std::unique_ptr<LogReader> reader_;
-  long line_ = 0;
 };
 
 }  // namespace
@@ -160,15 +140,23 @@ std::string to_string(const LogWarning& warning) {
 
 RecordedLog load_log(const std::string& path, const LogOptions& options) {
   refuse_bag_folder(path);
-  Splitter splitter(path, options);
-  for_each_text_block(path, options.max_text, [&](std::string_view block) { splitter.add(block); });
-  return splitter.finish();
+  LogParser parser(path, options);
+  FileReader file(path);
+  double total = 0.0;
+  for (std::string_view piece = file.next(); !piece.empty(); piece = file.next()) {
+    total += static_cast<double>(piece.size());
+    if (total > options.max_text)
+      throw InputError({path}, fmt::format("unpacks to more than {} MB", options.max_text / 1e6),
+                       "set max_text if the file is to be trusted");
+    parser.add(piece);
+  }
+  return parser.finish();
 }
 
 RecordedLog parse_log(const std::string& name, std::string_view text, const LogOptions& options) {
-  Splitter splitter(name, options);
-  if (!text.empty()) splitter.add(text);
-  return splitter.finish();
+  LogParser parser(name, options);
+  parser.add(text);
+  return parser.finish();
 }
 
 }  // namespace mapbed

@@ -73,7 +73,7 @@ TEST(BadLog, OneOfManyBrokenLinesInTheMiddleIsLeftOut) {
   EXPECT_EQ(warnings_of(good_lines(12) + "ODOM 1 2\n" + good_lines(9, 30)),
             "a.log:13: truncated or garbled ODOM line: left out\n");
   EXPECT_EQ(warnings_of(good_lines(12) + "\x01\x02 1 2\n" + good_lines(9, 30)),
-            "a.log:13: line that is no CARMEN message: left out\n");
+            "a.log:13: line that is not a CARMEN message: left out\n");
 }
 
 TEST(BadLog, ALogOfManyBrokenLinesIsRefused) {
@@ -130,7 +130,7 @@ TEST(BadLog, AClockThatWasSetBackIsRefused) {
 
 TEST(BadLog, AStampThatIsNoTimeIsLeftOut) {
   EXPECT_THAT(warnings_of(good_lines(20) + flaser(181, 3, NAN)),
-              StartsWith("a.log:21: time stamp that is no time: line left out"));
+              StartsWith("a.log:21: time stamp that is not a time: line left out"));
 }
 
 TEST(BadLog, LostStampsAreMadeUp) {
@@ -180,11 +180,11 @@ TEST(BadLog, BagsAreRefusedWithTheWayOut) {
 
 TEST(BadLog, WhatIsNoLogIsRefused) {
   EXPECT_EQ(message_of(std::string("FLASER\0", 7)),
-            "a.log: is no text; logs are read as plain text or gzipped text");
+            "a.log: is not text; logs are read as plain text or gzipped text");
   EXPECT_EQ(
       message_of("{\"a\": 1}\n"),
-      "a.log: is in no log format that is known here; known are CARMEN, CoreSLAM, DP-SLAM and `t "
-      "n ranges` with a header line");
+      "a.log: is in no log format that is known here; known are DP-SLAM, CARMEN, `t n ranges` "
+      "lines, CoreSLAM");
   EXPECT_THAT(message_of("1 2 3\n"), HasSubstr("is in no log format that is known here"));
 }
 
@@ -239,9 +239,8 @@ TEST_F(LogFile, PlainAndPackedReadAlikeAcrossBlocks) {
 }
 
 TEST_F(LogFile, AMissingFileOrAFolderIsRefused) {
-  EXPECT_EQ(message_of("nowhere.log"),
-            "nowhere.log: No such file or directory; check the file's name");
-  EXPECT_THAT(message_of(::testing::TempDir()), HasSubstr("is a folder; name a file in it"));
+  EXPECT_EQ(message_of("nowhere.log"), "nowhere.log: no such file");
+  EXPECT_THAT(message_of(::testing::TempDir()), HasSubstr("is a folder, not a file"));
 }
 
 TEST_F(LogFile, TheFolderOfARos2BagIsRefusedAsABag) {
@@ -265,7 +264,8 @@ TEST_F(LogFile, GzipThatIsCutShortIsRefused) {
     packed.assign(std::istreambuf_iterator<char>(in), {});
   }
   const std::string path = written("cut.log", packed.substr(0, packed.size() / 2));
-  EXPECT_THAT(message_of(path), HasSubstr("the gzip file is cut short; fetch or copy it again"));
+  EXPECT_THAT(message_of(path),
+              HasSubstr("the gzip data are cut short; fetch or copy the file again"));
 }
 
 TEST_F(LogFile, GzipThatUnpacksToTooMuchIsRefused) {
@@ -275,8 +275,10 @@ TEST_F(LogFile, GzipThatUnpacksToTooMuchIsRefused) {
 }
 
 TEST_F(LogFile, AnEndlessLineIsRefused) {
-  const std::string path = written("line.log.gz", std::string(20u << 20, '1'));
-  EXPECT_THAT(message_of(path), HasSubstr("has a line of more than 16 MiB; this is no text log"));
+  const std::string endless(20u << 20, '1');
+  EXPECT_THAT(message_of(written("line.log.gz", good_lines(2) + endless)),
+              HasSubstr("has a line of more than 16 MiB; is this a file of lines?"));
+  EXPECT_THAT(message_of(written("only.log.gz", endless)), HasSubstr("is in no log format"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/file/text_file.h"
+#include "core/file/tokens.h"
 #include "core/input_error.h"
 
 namespace mapbed {

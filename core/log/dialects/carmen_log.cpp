@@ -2,21 +2,25 @@
 
 #include <cctype>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include <fmt/core.h>
 
-#include "core/file/fields.h"
+#include "core/file/tokens.h"
 #include "core/geometry/angle.h"
+#include "core/log/log_builder.h"
+#include "core/log/log_reader.h"
 
 namespace mapbed {
 namespace {
 
-Pose2 read_pose(Fields& fields) {
-  const double x = fields.number();
-  const double y = fields.number();
-  return {x, y, fields.number()};
+Pose2 read_pose(Tokens& tokens) {
+  const double x = tokens.number();
+  const double y = tokens.number();
+  return {x, y, tokens.number()};
 }
 
 // The place of a laser from two printed poses is good to their digits; more of them are noise.
@@ -25,43 +29,66 @@ Pose2 to_micrometers(const Pose2& pose) {
   return {rounded(pose.x), rounded(pose.y), normalized_angle(rounded(pose.theta))};
 }
 
-class CarmenReader : public LogReader {
+constexpr int kMostLasers = 100;
+
+// The laser, from 0, of "ROBOTLASER1", whose lines begin with `name`; none of another line.
+std::optional<int> laser_of(std::string_view kind, std::string_view name) {
+  int number = 0;
+  if (!kind.starts_with(name) || !parse_number(kind.substr(name.size()), number)) return {};
+  if (number < 1 || number > kMostLasers) return {};
+  return number - 1;
+}
+
+// What a LASERMOUNT line says.
+struct LaserMount {
+  double z = 0.0;            // [m]
+  double pitch = 0.0;        // [rad]
+  double roll = 0.0;         // [rad]
+  double beam_period = 0.0;  // [s]
+};
+
+bool is_sensible(const LaserMount& mount) {
+  return std::abs(mount.z) <= 1e3 && std::abs(mount.pitch) <= kPi && std::abs(mount.roll) <= kPi &&
+         std::abs(mount.beam_period) <= 1.0;
+}
+
+class CarmenReader : public LogLineReader {
  public:
-  CarmenReader(const std::string& name, const LogOptions& options) : builder_(name, options) {}
+  CarmenReader(const std::string& name, const LogOptions& options)
+      : LogLineReader(name), builder_(name, options) {}
 
   void add_line(std::string_view line, long number) override {
-    Fields fields(line);
-    if (fields.at_end()) return;
-    const std::string_view kind = fields.word();
+    Tokens tokens(line);
+    if (tokens.at_end()) return;
+    const std::string_view kind = tokens.word();
     if (kind[0] == '#') return;
     line_ = number;
-    if (kind == "FLASER") return read_laser(fields, 0);
-    if (kind == "RLASER") return read_laser(fields, 1);
-    if (kind == "ODOM") return read_odometry(fields);
-    if (kind.starts_with("ROBOTLASER") && kind.size() == 11 && kind[10] >= '1' && kind[10] <= '9')
-      return read_robot_laser(fields, kind[10] - '1');
-    if (kind.starts_with("RAWLASER") && kind.size() == 9 && kind[8] >= '1' && kind[8] <= '9')
-      return read_raw_laser(fields, kind[8] - '1');
-    if (kind == "TRUEPOS") return read_true_pose(fields);
-    if (kind == "PARAM") return read_parameter(fields);
+    if (kind == "FLASER") return read_laser(tokens, 0);
+    if (kind == "RLASER") return read_laser(tokens, 1);
+    if (kind == "ODOM") return read_odometry(tokens);
+    if (const auto laser = laser_of(kind, "ROBOTLASER")) return read_robot_laser(tokens, *laser);
+    if (const auto laser = laser_of(kind, "RAWLASER")) return read_raw_laser(tokens, *laser);
+    if (kind == "LASERMOUNT") return read_mount(tokens);
+    if (kind == "TRUEPOS") return read_true_pose(tokens);
+    if (kind == "PARAM") return read_parameter(tokens);
     skip(kind);
   }
 
-  RecordedLog finish() override { return builder_.finish("CARMEN"); }
+  RecordedLog finish_lines() override { return builder_.finish("CARMEN"); }
 
  private:
   // ipc_stamp host logger_stamp; the oldest logs have the first only.
-  double read_stamp(Fields& fields) {
-    const double ipc = fields.number();
+  double read_stamp(Tokens& tokens) {
+    const double ipc = tokens.number();
     double logger = ipc;
-    if (fields.ok() && !fields.at_end()) {
-      fields.word();
-      logger = fields.number();
+    if (tokens.ok() && !tokens.at_end()) {
+      tokens.word();
+      logger = tokens.number();
     }
     const bool want_ipc = builder_.options().stamp == Stamp::ipc;
     double time = want_ipc ? ipc : logger;
     if (time == 0.0) time = want_ipc ? logger : ipc;
-    if (time == 0.0 && last_stamp_ != 0.0 && fields.ok()) {
+    if (time == 0.0 && last_stamp_ != 0.0 && tokens.ok()) {
       builder_.warn(line_, "no time stamp: that of the line before is taken");
       time = last_stamp_;
     }
@@ -69,63 +96,85 @@ class CarmenReader : public LogReader {
   }
 
   // False for a line that is cut short or has something else where a number belongs.
-  bool complete(const Fields& fields, const char* kind) {
-    if (fields.ok()) return true;
+  bool complete(const Tokens& tokens, const char* kind) {
+    if (tokens.ok()) return true;
     builder_.broken(line_, fmt::format("truncated or garbled {} line: left out", kind));
     return false;
   }
 
-  void read_laser(Fields& fields, int laser) {
+  void read_laser(Tokens& tokens, int laser) {
     LaserScan scan;
-    scan.laser = laser;
+    set_laser(scan, laser);
     scan.robot_from_laser.planar = kMountToBeTold;
-    scan.ranges = fields.counted_numbers();
-    read_pose(fields);
-    const Pose2 odometry = read_pose(fields);
-    scan.time = read_stamp(fields);
-    if (!complete(fields, laser == 0 ? "FLASER" : "RLASER")) return;
+    scan.ranges = tokens.counted_numbers();
+    read_pose(tokens);
+    const Pose2 odometry = read_pose(tokens);
+    scan.time = read_stamp(tokens);
+    if (!complete(tokens, laser == 0 ? "FLASER" : "RLASER")) return;
     add(Odometry{scan.time, odometry}, std::move(scan));
   }
 
-  void read_robot_laser(Fields& fields, int laser) {
-    LaserScan scan = read_scan(fields, laser);
-    const Pose2 odometry_from_laser = read_pose(fields);
+  void read_robot_laser(Tokens& tokens, int laser) {
+    LaserScan scan = read_scan(tokens, laser);
+    const Pose2 odometry_from_laser = read_pose(tokens);
     Odometry odometry;
-    odometry.odometry_from_robot = read_pose(fields);
-    odometry.forward_velocity = fields.number();
-    odometry.turn_velocity = fields.number();
-    for (int i = 0; i < 3; ++i) fields.number();  // safety distances, turn axis
-    odometry.time = scan.time = read_stamp(fields);
-    if (!complete(fields, "ROBOTLASER") || !sensible(scan)) return;
+    odometry.odometry_from_robot = read_pose(tokens);
+    odometry.forward_velocity = tokens.number();
+    odometry.turn_velocity = tokens.number();
+    for (int i = 0; i < 3; ++i) tokens.number();  // safety distances, turn axis
+    odometry.time = scan.time = read_stamp(tokens);
+    if (!complete(tokens, "ROBOTLASER") || !sensible(scan)) return;
     scan.robot_from_laser.planar =
         to_micrometers(inverse(odometry.odometry_from_robot) * odometry_from_laser);
     add(odometry, std::move(scan));
   }
 
   // The same without a pose. The logger writes both where it is told so: then these are left.
-  void read_raw_laser(Fields& fields, int laser) {
-    LaserScan scan = read_scan(fields, laser);
+  void read_raw_laser(Tokens& tokens, int laser) {
+    LaserScan scan = read_scan(tokens, laser);
     scan.robot_from_laser.planar = kMountToBeTold;
-    scan.time = read_stamp(fields);
+    scan.time = read_stamp(tokens);
     if (has_robot_scans_) return skip("RAWLASER");
-    if (!complete(fields, "RAWLASER") || !sensible(scan)) return;
+    if (!complete(tokens, "RAWLASER") || !sensible(scan)) return;
     has_raw_scans_ = true;
     last_stamp_ = scan.time;
     builder_.add(std::move(scan), line_);
   }
 
-  LaserScan read_scan(Fields& fields, int laser) {
-    LaserScan scan;
+  void read_mount(Tokens& tokens) {
+    const double number = tokens.number();
+    LaserMount mount;
+    for (double* const value : {&mount.z, &mount.pitch, &mount.roll, &mount.beam_period})
+      *value = tokens.number();
+    read_stamp(tokens);
+    if (!complete(tokens, "LASERMOUNT")) return;
+    if (!(number >= 1.0 && number <= kMostLasers) || number != std::floor(number) ||
+        !is_sensible(mount))
+      return builder_.broken(line_, "LASERMOUNT line without a sensible mount: left out");
+    mounts_[static_cast<int>(number) - 1] = mount;
+  }
+
+  void set_laser(LaserScan& scan, int laser) const {
     scan.laser = laser;
-    fields.number();  // type
-    scan.first_bearing = fields.number();
-    const double field_of_view = fields.number();
-    scan.bearing_step = fields.number();
-    scan.max_range = fields.number();
-    fields.number();  // accuracy
-    fields.number();  // remission mode
-    scan.ranges = fields.counted_numbers();
-    scan.remissions = fields.counted_numbers();
+    const auto found = mounts_.find(laser);
+    if (found == mounts_.end()) return;
+    const LaserMount& mount = found->second;
+    scan.robot_from_laser = {{}, mount.z, mount.pitch, mount.roll};
+    scan.beam_period = mount.beam_period;
+  }
+
+  LaserScan read_scan(Tokens& tokens, int laser) {
+    LaserScan scan;
+    set_laser(scan, laser);
+    tokens.number();  // type
+    scan.first_bearing = tokens.number();
+    const double field_of_view = tokens.number();
+    scan.bearing_step = tokens.number();
+    scan.max_range = tokens.number();
+    tokens.number();  // accuracy
+    tokens.number();  // remission mode
+    scan.ranges = tokens.counted_numbers();
+    scan.remissions = tokens.counted_numbers();
     if (scan.bearing_step == 0.0 && scan.ranges.size() > 1)
       scan.bearing_step = field_of_view / static_cast<double>(scan.ranges.size() - 1);
     return scan;
@@ -150,30 +199,30 @@ class CarmenReader : public LogReader {
     builder_.add(std::move(scan), line_);
   }
 
-  void read_odometry(Fields& fields) {
+  void read_odometry(Tokens& tokens) {
     Odometry odometry;
-    odometry.odometry_from_robot = read_pose(fields);
-    odometry.forward_velocity = fields.number();
-    odometry.turn_velocity = fields.number();
-    fields.number();  // acceleration
-    odometry.time = read_stamp(fields);
-    if (!complete(fields, "ODOM")) return;
+    odometry.odometry_from_robot = read_pose(tokens);
+    odometry.forward_velocity = tokens.number();
+    odometry.turn_velocity = tokens.number();
+    tokens.number();  // acceleration
+    odometry.time = read_stamp(tokens);
+    if (!complete(tokens, "ODOM")) return;
     last_stamp_ = odometry.time;
     builder_.add(odometry, line_);
   }
 
-  void read_true_pose(Fields& fields) {
+  void read_true_pose(Tokens& tokens) {
     Stamped<Pose2> truth;
-    truth.pose = read_pose(fields);
-    read_pose(fields);
-    truth.time = read_stamp(fields);
-    if (complete(fields, "TRUEPOS")) builder_.add_true_pose(truth, line_);
+    truth.pose = read_pose(tokens);
+    read_pose(tokens);
+    truth.time = read_stamp(tokens);
+    if (complete(tokens, "TRUEPOS")) builder_.add_true_pose(truth, line_);
   }
 
-  void read_parameter(Fields& fields) {
-    const std::string_view name = fields.word();
-    const std::string_view value = fields.word();
-    if (complete(fields, "PARAM")) builder_.set_parameter(std::string(name), std::string(value));
+  void read_parameter(Tokens& tokens) {
+    const std::string_view name = tokens.word();
+    const std::string_view value = tokens.word();
+    if (complete(tokens, "PARAM")) builder_.set_parameter(std::string(name), std::string(value));
   }
 
   void skip(std::string_view kind) {
@@ -183,7 +232,7 @@ class CarmenReader : public LogReader {
     if (is_name && known_kinds_.contains(std::string(kind)))
       builder_.warn(line_, fmt::format("{} messages are not used", kind));
     else
-      builder_.broken(line_, "line that is no CARMEN message: left out");
+      builder_.broken(line_, "line that is not a CARMEN message: left out");
   }
 
   LogBuilder builder_;
@@ -192,12 +241,22 @@ class CarmenReader : public LogReader {
   bool has_raw_scans_ = false;
   bool has_robot_scans_ = false;
   std::set<std::string> known_kinds_;
+  std::map<int, LaserMount> mounts_;
 };
+
+// Kinds of messages are words in capitals.
+bool fits(const LogBeginning& beginning) {
+  return !beginning.line.empty() &&
+         std::isupper(static_cast<unsigned char>(beginning.line[0])) != 0;
+}
 
 }  // namespace
 
-std::unique_ptr<LogReader> make_carmen_reader(const std::string& name, const LogOptions& options) {
-  return std::make_unique<CarmenReader>(name, options);
+LogDialect carmen_dialect() {
+  return {"CARMEN", fits,
+          [](const std::string& name, const LogOptions& options) -> std::unique_ptr<LogReader> {
+            return std::make_unique<CarmenReader>(name, options);
+          }};
 }
 
 }  // namespace mapbed

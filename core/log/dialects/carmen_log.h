@@ -1,17 +1,15 @@
 #pragma once
 
-#include <memory>
 #include <string>
 
-#include "core/log/log_builder.h"
+#include "core/log/log_file.h"
 
 // CARMEN logs, one message a line:
 //
 //   FLASER n r… x y theta odom_x odom_y odom_theta ipc_stamp host logger_stamp      RLASER likewise
 //   ROBOTLASER1 type start fov step max accuracy remission_mode n r… m remission… laser_x laser_y
 //     laser_theta robot_x robot_y robot_theta tv rv forward_safety side_safety turn_axis
-//     ipc_stamp host logger_stamp                                               ROBOTLASER2
-//     likewise
+//     ipc_stamp host logger_stamp             ROBOTLASER2, ROBOTLASER3, … of the other lasers
 //   RAWLASER1 type … remission… ipc_stamp host logger_stamp     used where no other laser line is
 //   ODOM x y theta tv rv acceleration ipc_stamp host logger_stamp
 //   TRUEPOS true_x true_y true_theta odom_x odom_y odom_theta ipc_stamp host logger_stamp
@@ -21,14 +19,22 @@
 // in corrected logs it is not what the robot measured. '#' begins a comment. Messages of other
 // kinds are skipped and counted. A stamp of 0 among later ones is no stamp: the line takes the
 // other stamp that it has, else that of the line before.
+//
+// What CARMEN's lines have no place for stands in lines of our own, which other readers skip:
+//
+//   LASERMOUNT laser z pitch roll beam_period ipc_stamp host logger_stamp
+//
+// of the laser that ROBOTLASER<laser> is of, for its scans that follow; all 0 until the first one.
 
 namespace mapbed {
 
-std::unique_ptr<LogReader> make_carmen_reader(const std::string& name, const LogOptions& options);
+struct LogDialect;
+LogDialect carmen_dialect();
 
 // The same as text: ROBOTLASER lines, which keep geometry, velocities and remissions; RAWLASER
 // lines for a log without odometry. A scan without odometry of its own stamp repeats the last one.
-// Numbers have as many digits as it takes to read the same values back.
+// Numbers have as many digits as it takes to read the same values back. LASERMOUNT lines stand
+// where a scan's height, tilt or beam period is another one than before.
 std::string carmen_text(const RecordedLog& log);
 
 // What programs of before 2008 read: FLASER and RLASER lines, the lasers' geometry in PARAM lines.

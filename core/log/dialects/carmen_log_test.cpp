@@ -144,12 +144,17 @@ void expect_equal(const RecordedLog& read, const RecordedLog& written) {
     const LaserScan& a = scan_at(read, i);
     const LaserScan& b = scan_at(written, i);
     EXPECT_EQ(a.ranges, b.ranges);
+    EXPECT_EQ(a.laser, b.laser);
     EXPECT_EQ(a.remissions, b.remissions);
+    EXPECT_EQ(a.beam_period, b.beam_period);
     EXPECT_EQ(a.max_range, b.max_range);
     EXPECT_NEAR(a.first_bearing, b.first_bearing, 1e-14);
     EXPECT_NEAR(a.bearing_step, b.bearing_step, 1e-15);
     EXPECT_THAT(a.robot_from_laser.planar,
                 IsNear(b.robot_from_laser.planar, Tolerance{1e-12, 1e-12}));
+    EXPECT_EQ(a.robot_from_laser.z, b.robot_from_laser.z);
+    EXPECT_EQ(a.robot_from_laser.pitch, b.robot_from_laser.pitch);
+    EXPECT_EQ(a.robot_from_laser.roll, b.robot_from_laser.roll);
   }
 }
 
@@ -183,6 +188,87 @@ TEST(CarmenLog, ALogWithoutOdometryStaysWithout) {
   std::erase_if(log.measurements,
                 [](const Measurement& m) { return std::holds_alternative<Odometry>(m); });
   expect_equal(parse_log("a.log", carmen_text(log)), log);
+}
+
+// Front laser level, and behind each of its scans one of each other laser at `mounts`.
+RecordedLog drive_with(const std::vector<Mount>& mounts, double beam_period) {
+  RecordedLog log = drive();
+  SensorLog all;
+  for (const Measurement& m : log.measurements) {
+    all.push_back(m);
+    const auto* scan = std::get_if<LaserScan>(&m);
+    for (std::size_t i = 0; scan != nullptr && i < mounts.size(); ++i) {
+      LaserScan other = *scan;
+      other.laser = static_cast<int>(i) + 1;
+      other.robot_from_laser = mounts[i];
+      other.beam_period = beam_period;
+      other.time += 0.01 * other.laser;
+      all.emplace_back(Odometry{other.time, {0.5, 0.25, 0.125}});
+      all.emplace_back(std::move(other));
+    }
+  }
+  log.measurements = std::move(all);
+  return log;
+}
+
+TEST(CarmenLog, ATiltedSecondLaserAndBeamTimesReadBackTheSame) {
+  const RecordedLog log = drive_with({Mount{{0.25, 0, 0}, 1.1, radians(10), -0.02}}, -1.0 / 3e4);
+  const std::string text = carmen_text(log);
+  expect_equal(parse_log("a.log", text), log);
+  EXPECT_THAT(text, HasSubstr("\nLASERMOUNT 2 1.1 "));
+  EXPECT_EQ(text.find("LASERMOUNT"), text.rfind("LASERMOUNT"));  // once
+}
+
+TEST(CarmenLog, AsManyLasersAsThereAreReadBackTheSame) {
+  std::vector<Mount> mounts;
+  for (int i = 0; i < 11; ++i) mounts.push_back({{0.1 * i, 0.05, 0.2}, 0.3 * i, 0.0, 0.0});
+  const RecordedLog log = drive_with(mounts, 0.0);
+  EXPECT_THAT(carmen_text(log), HasSubstr("\nROBOTLASER12 "));
+  expect_equal(parse_log("a.log", carmen_text(log)), log);
+
+  RecordedLog scans_only = log;
+  std::erase_if(scans_only.measurements,
+                [](const Measurement& m) { return std::holds_alternative<Odometry>(m); });
+  expect_equal(parse_log("a.log", carmen_text(scans_only)), scans_only);
+}
+
+TEST(CarmenLog, AMountThatChangesIsSaidAgain) {
+  RecordedLog log = drive();
+  std::get<LaserScan>(log.measurements[3]).robot_from_laser.pitch = 0.1;
+  std::get<LaserScan>(log.measurements[5]).beam_period = 1e-5;
+  expect_equal(parse_log("a.log", carmen_text(log)), log);
+}
+
+TEST(CarmenLog, NoMountLinesStandWhereNothingNeedsThem) {
+  EXPECT_EQ(carmen_text(drive()).find("LASERMOUNT"), std::string::npos);
+}
+
+TEST(CarmenLog, AMountHoldsForTheScansThatFollowOfItsLaser) {
+  const RecordedLog log = parse_log(
+      "a.log", kRobotLaser + "LASERMOUNT 1 0.4 0.1 -0.2 1e-05 100 host 0\n" + kRobotLaser);
+  EXPECT_EQ(scan_at(log, 1).robot_from_laser.z, 0.0);
+  EXPECT_EQ(scan_at(log, 3).robot_from_laser.z, 0.4);
+  EXPECT_EQ(scan_at(log, 3).robot_from_laser.pitch, 0.1);
+  EXPECT_EQ(scan_at(log, 3).robot_from_laser.roll, -0.2);
+  EXPECT_EQ(scan_at(log, 3).beam_period, 1e-5);
+  EXPECT_EQ(scan_at(log, 3).robot_from_laser.planar, scan_at(log, 1).robot_from_laser.planar);
+}
+
+TEST(CarmenLog, ABrokenMountLineIsLeftOutWithItsLine) {
+  for (const char* line : {"LASERMOUNT 1 0.4 0.1", "LASERMOUNT 1 0.4 x -0.2 0 100 host 0"}) {
+    const RecordedLog log = parse_log("a.log", kRobotLaser + line + "\n" + kRobotLaser);
+    EXPECT_EQ(to_string(log.warnings.at(0)),
+              "a.log:2: truncated or garbled LASERMOUNT line: left out");
+    EXPECT_EQ(scan_at(log, 3).robot_from_laser.z, 0.0);
+  }
+  for (const char* line :
+       {"LASERMOUNT 0 0.4 0 0 0 100 host 0", "LASERMOUNT 1.5 0.4 0 0 0 100 host 0",
+        "LASERMOUNT 1 0.4 nan 0 0 100 host 0", "LASERMOUNT 1 0.4 10 0 0 100 host 0"}) {
+    const RecordedLog log = parse_log("a.log", kRobotLaser + line + "\n" + kRobotLaser);
+    EXPECT_EQ(to_string(log.warnings.at(0)),
+              "a.log:2: LASERMOUNT line without a sensible mount: left out");
+    EXPECT_EQ(scan_at(log, 3).robot_from_laser.z, 0.0);
+  }
 }
 
 TEST(CarmenLog, TheOldDialectIsRefusedForGeometryThatItCannotSay) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -9,6 +10,7 @@
 #include "core/file/text_file.h"
 #include "core/geometry/angle.h"
 #include "core/log/dialects/carmen_log.h"
+#include "core/log/laser_geometry.h"
 
 namespace mapbed {
 namespace {
@@ -31,10 +33,6 @@ class Writer {
  private:
   fmt::memory_buffer text_;
 };
-
-const char* side(int laser) {
-  return laser == 1 ? "rear" : "front";
-}
 
 void write_geometry(Writer& out, const LaserScan& scan) {
   const auto gaps = static_cast<double>(std::max<std::size_t>(scan.ranges.size(), 1) - 1);
@@ -91,34 +89,54 @@ std::map<int, const LaserScan*> lasers_of(const RecordedLog& log) {
 
 // What the lines themselves do not say of a laser.
 void set_parameters(std::map<std::string, std::string>& parameters, const LaserScan& scan) {
-  const std::string mount = fmt::format("robot_{}laser_", side(scan.laser));
+  const LaserParameterNames names = parameter_names_of(scan.laser);
   const Pose2& pose = scan.robot_from_laser.planar;
-  parameters[mount + "offset"] = fmt::format("{}", pose.x);
-  parameters[mount + "side_offset"] = fmt::format("{}", pose.y);
-  parameters[mount + "angular_offset"] =
+  parameters[names.mount + "offset"] = fmt::format("{}", pose.x);
+  parameters[names.mount + "side_offset"] = fmt::format("{}", pose.y);
+  parameters[names.mount + "angular_offset"] =
       fmt::format("{}", scan.laser == 1 ? normalized_angle(pose.theta - kPi) : pose.theta);
-  const std::string laser = fmt::format("laser_{}_laser_", side(scan.laser));
-  parameters[laser + "resolution"] = fmt::format("{}", degrees(scan.bearing_step));
-  parameters[laser + "fov"] = fmt::format("{}", degrees(-2.0 * scan.first_bearing));
-  parameters[fmt::format("robot_{}_laser_max", side(scan.laser))] =
-      fmt::format("{}", scan.max_range);
+  parameters[names.bearings + "resolution"] = fmt::format("{}", degrees(scan.bearing_step));
+  parameters[names.bearings + "fov"] = fmt::format("{}", degrees(-2.0 * scan.first_bearing));
+  parameters[names.max_range] = fmt::format("{}", scan.max_range);
 }
 
 void write_parameters(Writer& out, const std::map<std::string, std::string>& parameters) {
   for (const auto& [name, value] : parameters) out.print("PARAM {} {} nohost 0\n", name, value);
 }
 
+// Writes a LASERMOUNT line where a scan differs from its laser's last in what no other line says.
+class MountWriter {
+ public:
+  explicit MountWriter(Writer& out) : out_(out) {}
+
+  void write_if_new(const LaserScan& scan) {
+    const Mount& mount = scan.robot_from_laser;
+    const std::array<double, 4> now = {mount.z, mount.pitch, mount.roll, scan.beam_period};
+    std::array<double, 4>& last = last_of_laser_[scan.laser];
+    if (now == last) return;
+    last = now;
+    out_.print("LASERMOUNT {} {} {} {} {}", scan.laser + 1, now[0], now[1], now[2], now[3]);
+    out_.stamp(scan.time);
+  }
+
+ private:
+  Writer& out_;
+  std::map<int, std::array<double, 4>> last_of_laser_;  // all 0 at first
+};
+
 // All measurements and true poses by time; odometry right before a scan of its stamp is in the
 // scan's own line.
 template <class WriteScan>
 void write_messages(Writer& out, const RecordedLog& log, WriteScan write_scan) {
   Odometry odometry;
+  MountWriter mounts(out);
   auto truth = log.true_poses.begin();
   for (std::size_t i = 0; i < log.measurements.size(); ++i) {
     const double time = time_of(log.measurements[i]);
     for (; truth != log.true_poses.end() && truth->time <= time; ++truth)
       write_true_pose(out, *truth, odometry);
     if (const auto* scan = std::get_if<LaserScan>(&log.measurements[i])) {
+      mounts.write_if_new(*scan);
       write_scan(*scan, odometry);
       continue;
     }
@@ -153,8 +171,7 @@ std::string carmen_text(const RecordedLog& log) {
   const bool with_pose = has_odometry(log);
   auto parameters = log.parameters;
   if (!with_pose)
-    for (const auto& [laser, scan] : lasers_of(log))
-      if (laser <= 1) set_parameters(parameters, *scan);
+    for (const auto& [laser, scan] : lasers_of(log)) set_parameters(parameters, *scan);
   write_parameters(out, parameters);
   write_messages(out, log, [&](const LaserScan& scan, const Odometry& odometry) {
     if (with_pose)

@@ -6,8 +6,10 @@
 
 #include <fmt/core.h>
 
-#include "core/file/fields.h"
+#include "core/file/tokens.h"
 #include "core/geometry/angle.h"
+#include "core/log/log_builder.h"
+#include "core/log/log_reader.h"
 
 namespace mapbed {
 namespace {
@@ -19,15 +21,15 @@ constexpr double kMaxRange = 5.6;              // [m]
 constexpr double kLeastRange = 0.020;          // [m]
 constexpr double kLaserAhead = 0.145;          // [m]
 
-class CoreslamReader : public LogReader {
+class CoreslamReader : public LogLineReader {
  public:
   CoreslamReader(const std::string& name, const LogOptions& options)
-      : builder_(name, options), wheels_(options.wheels) {}
+      : LogLineReader(name), builder_(name, options), wheels_(options.wheels) {}
 
   void add_line(std::string_view line, long number) override {
-    Fields fields(line);
+    Tokens tokens(line);
     values_.clear();
-    while (!fields.at_end()) values_.push_back(fields.word());
+    while (!tokens.at_end()) values_.push_back(tokens.word());
     if (values_.empty() || values_[0][0] == '#') return;
     const std::size_t before = values_.size() < kBeams ? 0 : values_.size() - kBeams;
     if (before != 25 && before != 13)
@@ -54,7 +56,7 @@ class CoreslamReader : public LogReader {
     builder_.add(std::move(scan), number);
   }
 
-  RecordedLog finish() override { return builder_.finish("CoreSLAM"); }
+  RecordedLog finish_lines() override { return builder_.finish("CoreSLAM"); }
 
  private:
   double number_at(std::size_t field) {
@@ -90,11 +92,19 @@ class CoreslamReader : public LogReader {
   Pose2 pose_;
 };
 
+bool fits(const LogBeginning& beginning) {
+  Tokens tokens(beginning.line);
+  tokens.number();
+  return tokens.ok() && words_in(beginning.line) > 600;
+}
+
 }  // namespace
 
-std::unique_ptr<LogReader> make_coreslam_reader(const std::string& name,
-                                                const LogOptions& options) {
-  return std::make_unique<CoreslamReader>(name, options);
+LogDialect coreslam_dialect() {
+  return {"CoreSLAM", fits,
+          [](const std::string& name, const LogOptions& options) -> std::unique_ptr<LogReader> {
+            return std::make_unique<CoreslamReader>(name, options);
+          }};
 }
 
 }  // namespace mapbed

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-
-#include "core/log/log_builder.h"
-
 // Logs of the CoreSLAM robot (Steux and El Hamzaoui, "tinySLAM", 2010): a line a scan, that ends in
 // the 682 ranges [mm] of a Hokuyo URG-04LX. Two kinds of lines, told by the number of fields
 // before the ranges:
@@ -18,6 +13,7 @@
 
 namespace mapbed {
 
-std::unique_ptr<LogReader> make_coreslam_reader(const std::string& name, const LogOptions& options);
+struct LogDialect;
+LogDialect coreslam_dialect();
 
 }  // namespace mapbed

@@ -4,26 +4,29 @@
 
 #include <fmt/core.h>
 
-#include "core/file/fields.h"
+#include "core/file/tokens.h"
+#include "core/log/log_builder.h"
+#include "core/log/log_reader.h"
 
 namespace mapbed {
 namespace {
 
-class DpslamReader : public LogReader {
+class DpslamReader : public LogLineReader {
  public:
-  DpslamReader(const std::string& name, const LogOptions& options) : builder_(name, options) {}
+  DpslamReader(const std::string& name, const LogOptions& options)
+      : LogLineReader(name), builder_(name, options) {}
 
   void add_line(std::string_view line, long number) override {
-    Fields fields(line);
-    if (fields.at_end()) return;
-    const std::string_view kind = fields.word();
+    Tokens tokens(line);
+    if (tokens.at_end()) return;
+    const std::string_view kind = tokens.word();
     if (kind[0] == '#') return;
-    if (kind == "Odometry") return read_odometry(fields, number);
-    if (kind == "Laser") return read_laser(fields, number);
+    if (kind == "Odometry") return read_odometry(tokens, number);
+    if (kind == "Laser") return read_laser(tokens, number);
     builder_.broken(number, "line that is neither Odometry nor Laser: left out");
   }
 
-  RecordedLog finish() override {
+  RecordedLog finish_lines() override {
     builder_.warn(0, fmt::format("the format has no time stamps: scans are taken as {} s apart",
                                  builder_.options().scan_period));
     RecordedLog log = builder_.finish("DP-SLAM");
@@ -36,32 +39,40 @@ class DpslamReader : public LogReader {
     return static_cast<double>(builder_.scans()) * builder_.options().scan_period;
   }
 
-  void read_odometry(Fields& fields, long number) {
+  void read_odometry(Tokens& tokens, long number) {
     Odometry odometry;
     odometry.time = now();
-    odometry.odometry_from_robot.x = fields.number();
-    odometry.odometry_from_robot.y = fields.number();
-    odometry.odometry_from_robot.theta = fields.number();
-    if (!fields.ok()) return builder_.broken(number, "truncated Odometry line: left out");
+    odometry.odometry_from_robot.x = tokens.number();
+    odometry.odometry_from_robot.y = tokens.number();
+    odometry.odometry_from_robot.theta = tokens.number();
+    if (!tokens.ok()) return builder_.broken(number, "truncated Odometry line: left out");
     builder_.add(odometry, number);
   }
 
-  void read_laser(Fields& fields, long number) {
+  void read_laser(Tokens& tokens, long number) {
     LaserScan scan;
     scan.time = now();
     scan.robot_from_laser.planar = kMountToBeTold;
-    scan.ranges = fields.counted_numbers();
-    if (!fields.ok()) return builder_.broken(number, "truncated Laser line: left out");
+    scan.ranges = tokens.counted_numbers();
+    if (!tokens.ok()) return builder_.broken(number, "truncated Laser line: left out");
     builder_.add(std::move(scan), number);
   }
 
   LogBuilder builder_;
 };
 
+bool fits(const LogBeginning& beginning) {
+  const std::string_view kind = Tokens(beginning.line).word();
+  return kind == "Odometry" || kind == "Laser";
+}
+
 }  // namespace
 
-std::unique_ptr<LogReader> make_dpslam_reader(const std::string& name, const LogOptions& options) {
-  return std::make_unique<DpslamReader>(name, options);
+LogDialect dpslam_dialect() {
+  return {"DP-SLAM", fits,
+          [](const std::string& name, const LogOptions& options) -> std::unique_ptr<LogReader> {
+            return std::make_unique<DpslamReader>(name, options);
+          }};
 }
 
 }  // namespace mapbed

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-
-#include "core/log/log_builder.h"
-
 // Logs of DP-SLAM (Eliazar and Parr, 2003): pairs of lines
 //
 //   Odometry x y theta      [m], [rad]
@@ -14,6 +9,7 @@
 
 namespace mapbed {
 
-std::unique_ptr<LogReader> make_dpslam_reader(const std::string& name, const LogOptions& options);
+struct LogDialect;
+LogDialect dpslam_dialect();
 
 }  // namespace mapbed

@@ -3,26 +3,29 @@
 #include <cmath>
 #include <utility>
 
-#include "core/file/fields.h"
+#include "core/file/tokens.h"
 #include "core/geometry/angle.h"
+#include "core/log/log_builder.h"
+#include "core/log/log_reader.h"
 
 namespace mapbed {
 namespace {
 
-class ScanListReader : public LogReader {
+class ScanListReader : public LogLineReader {
  public:
-  ScanListReader(const std::string& name, const LogOptions& options) : builder_(name, options) {}
+  ScanListReader(const std::string& name, const LogOptions& options)
+      : LogLineReader(name), builder_(name, options) {}
 
   void add_line(std::string_view line, long number) override {
-    Fields fields(line);
-    if (fields.at_end()) return;
-    if (fields.characters().starts_with('#')) return read_header(fields, number);
+    Tokens tokens(line);
+    if (tokens.at_end()) return;
+    if (tokens.rest().starts_with('#')) return read_header(tokens, number);
 
     LaserScan scan;
-    scan.time = fields.number();
-    scan.ranges = fields.counted_numbers();
-    if (!fields.ok()) return builder_.broken(number, "truncated or garbled scan: left out");
-    if (!fields.at_end())
+    scan.time = tokens.number();
+    scan.ranges = tokens.counted_numbers();
+    if (!tokens.ok()) return builder_.broken(number, "truncated or garbled scan: left out");
+    if (!tokens.at_end())
       return builder_.broken(number, "scan with more ranges than it says: left out");
     scan.robot_from_laser.planar = kMountToBeTold;
     scan.first_bearing = first_bearing_;
@@ -33,20 +36,20 @@ class ScanListReader : public LogReader {
     builder_.add(std::move(scan), number);
   }
 
-  RecordedLog finish() override { return builder_.finish("scan list"); }
+  RecordedLog finish_lines() override { return builder_.finish("scan list"); }
 
  private:
-  void read_header(Fields& fields, long number) {
-    while (!fields.at_end()) {
-      const std::string_view key = fields.word();
+  void read_header(Tokens& tokens, long number) {
+    while (!tokens.at_end()) {
+      const std::string_view key = tokens.word();
       double* const value = key == "angle_min"         ? &first_bearing_
                             : key == "angle_increment" ? &bearing_step_
                             : key == "range_min"       ? &min_range_
                             : key == "range_max"       ? &max_range_
                                                        : nullptr;
       if (value == nullptr) continue;
-      *value = fields.number();
-      if (!fields.ok() || !std::isfinite(*value) || std::abs(*value) > 1e6 ||
+      *value = tokens.number();
+      if (!tokens.ok() || !std::isfinite(*value) || std::abs(*value) > 1e6 ||
           (value == &bearing_step_ && (*value == 0.0 || std::abs(*value) > kPi)) ||
           ((value == &max_range_ || value == &min_range_) && *value < 0.0))
         throw InputError({builder_.name(), number}, "no sensible number after " + std::string(key),
@@ -61,11 +64,23 @@ class ScanListReader : public LogReader {
   double max_range_ = 0.0;      // [m]
 };
 
+// A header, or `t n r…` with as many ranges as it says.
+bool fits(const LogBeginning& beginning) {
+  Tokens tokens(beginning.line);
+  tokens.number();
+  if (!tokens.ok()) return false;
+  if (beginning.header.find("angle_min") != std::string_view::npos) return true;
+  const std::size_t n = tokens.count();
+  return tokens.ok() && n > 0 && words_in(tokens.rest()) == n;
+}
+
 }  // namespace
 
-std::unique_ptr<LogReader> make_scan_list_reader(const std::string& name,
-                                                 const LogOptions& options) {
-  return std::make_unique<ScanListReader>(name, options);
+LogDialect scan_list_dialect() {
+  return {"`t n ranges` lines", fits,
+          [](const std::string& name, const LogOptions& options) -> std::unique_ptr<LogReader> {
+            return std::make_unique<ScanListReader>(name, options);
+          }};
 }
 
 }  // namespace mapbed

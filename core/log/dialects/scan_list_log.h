@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-
-#include "core/log/log_builder.h"
-
 // Scans alone, a line each, without odometry, as they are easily written out of a bag:
 //
 //   # angle_min -2.086214 angle_max 2.086214 angle_increment 0.00613592 scan_time 0.1 range_min
@@ -17,7 +12,7 @@
 
 namespace mapbed {
 
-std::unique_ptr<LogReader> make_scan_list_reader(const std::string& name,
-                                                 const LogOptions& options);
+struct LogDialect;
+LogDialect scan_list_dialect();
 
 }  // namespace mapbed

@@ -1,10 +1,8 @@
-#include "core/file/sha256.h"
+#include "core/file/hash.h"
 
-#include <array>
 #include <bit>
-#include <cstdint>
 #include <fstream>
-#include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,7 +11,9 @@
 namespace mapbed {
 namespace {
 
-using Block = std::array<std::uint32_t, 8>;
+using State = std::array<std::uint32_t, 8>;
+
+constexpr std::size_t kBlock = 64;  // [bytes]
 
 // First 32 bits of the fractional parts of the cube roots of the first 64 primes.
 constexpr std::array<std::uint32_t, 64> kRound = {
@@ -26,7 +26,7 @@ constexpr std::array<std::uint32_t, 64> kRound = {
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
-void digest(Block& state, const char* bytes) {
+void digest(State& state, const char* bytes) {
   std::array<std::uint32_t, 64> w{};
   for (std::size_t i = 0; i < 16; ++i)
     for (std::size_t k = 0; k < 4; ++k)
@@ -44,33 +44,53 @@ void digest(Block& state, const char* bytes) {
     const auto t2 = s0 + ((a & b) ^ (a & c) ^ (b & c));
     h = g, g = f, f = e, e = d + t1, d = c, c = b, b = a, a = t1 + t2;
   }
-  const Block added = {a, b, c, d, e, f, g, h};
+  const State added = {a, b, c, d, e, f, g, h};
   for (std::size_t i = 0; i < 8; ++i) state[i] += added[i];
 }
 
 }  // namespace
 
-std::string sha256(std::string_view bytes) {
-  Block state = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-  const std::uint64_t bits = 8 * static_cast<std::uint64_t>(bytes.size());
-  for (; bytes.size() >= 64; bytes.remove_prefix(64)) digest(state, bytes.data());
+void Sha256::add(std::string_view bytes) {
+  bytes_ += bytes.size();
+  if (!rest_.empty()) {
+    const std::string_view first = bytes.substr(0, kBlock - rest_.size());
+    rest_ += first;
+    bytes.remove_prefix(first.size());
+    if (rest_.size() < kBlock) return;
+    digest(state_, rest_.data());
+    rest_.clear();
+  }
+  for (; bytes.size() >= kBlock; bytes.remove_prefix(kBlock)) digest(state_, bytes.data());
+  rest_ = bytes;
+}
 
-  std::string rest(bytes);  // a one, zeros, and the length in bits fill the last block or two
-  rest += '\x80';
-  rest.resize(rest.size() <= 56 ? 56 : 120, '\0');
-  for (int shift = 56; shift >= 0; shift -= 8) rest += static_cast<char>((bits >> shift) & 0xff);
-  for (std::size_t at = 0; at < rest.size(); at += 64) digest(state, rest.data() + at);
-
+std::string Sha256::digits() {
+  const std::uint64_t bits = 8 * bytes_;
+  rest_ += '\x80';  // a one, zeros, and the length in bits fill the last block or two
+  rest_.resize(rest_.size() <= kBlock - 8 ? kBlock - 8 : 2 * kBlock - 8, '\0');
+  for (int shift = 56; shift >= 0; shift -= 8) rest_ += static_cast<char>((bits >> shift) & 0xff);
+  for (std::size_t at = 0; at < rest_.size(); at += kBlock) digest(state_, rest_.data() + at);
   std::string text;
-  for (const std::uint32_t word : state) text += fmt::format("{:08x}", word);
+  for (const std::uint32_t word : state_) text += fmt::format("{:08x}", word);
   return text;
+}
+
+std::string sha256(std::string_view bytes) {
+  Sha256 hash;
+  hash.add(bytes);
+  return hash.digits();
 }
 
 std::string sha256_of_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError({path}, "cannot be read");
-  return sha256(std::string(std::istreambuf_iterator<char>(file), {}));
+  Sha256 hash;
+  std::vector<char> piece(1 << 16);
+  while (file) {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    hash.add({piece.data(), static_cast<std::size_t>(file.gcount())});
+  }
+  return hash.digits();
 }
 
 }  // namespace mapbed

@@ -1,4 +1,4 @@
-#include "core/file/fields.h"
+#include "core/file/tokens.h"
 
 #include <bit>
 #include <string>
@@ -68,30 +68,55 @@ TEST(ReadNumber, AgreesWithFromCharsOnOddities) {
     expect_the_bits_of_from_chars(text);
 }
 
-TEST(Fields, GiveWordsAndNumbersBetweenAnyBlanks) {
-  Fields fields("  LASER\t2 1.5   -3 \r");
-  EXPECT_EQ(fields.word(), "LASER");
-  EXPECT_EQ(fields.counted_numbers(), (std::vector<double>{1.5, -3.0}));
-  EXPECT_TRUE(fields.ok());
-  EXPECT_TRUE(fields.at_end());
+TEST(NextLine, TakesBothLineEndsAndTheLastLineWithoutOne) {
+  std::string_view text = "a\r\nb\n\nc";
+  EXPECT_EQ(next_line(text), "a");
+  EXPECT_EQ(next_line(text), "b");
+  EXPECT_EQ(next_line(text), "");
+  EXPECT_EQ(next_line(text), "c");
+  EXPECT_TRUE(text.empty());
 }
 
-TEST(Fields, AreNotOkAfterAMissingOrGarbledNumber) {
-  Fields missing("1");
+TEST(NextWord, SkipsBlanksAndTabs) {
+  std::string_view line = " a\t bc ";
+  EXPECT_EQ(next_word(line), "a");
+  EXPECT_EQ(next_word(line), "bc");
+  EXPECT_EQ(next_word(line), "");
+}
+
+TEST(ParseNumber, TakesFiniteNumbersOnly) {
+  double number = 0.0;
+  EXPECT_TRUE(parse_number("-1.5e3", number));
+  EXPECT_EQ(number, -1500.0);
+  for (const char* word : {"", "nan", "inf", "1.0x", "one", "1e999"}) {
+    EXPECT_FALSE(parse_number(word, number)) << word;
+  }
+}
+
+TEST(Tokens, GiveWordsAndNumbersBetweenAnyBlanks) {
+  Tokens tokens("  LASER\t2 1.5   -3 \r");
+  EXPECT_EQ(tokens.word(), "LASER");
+  EXPECT_EQ(tokens.counted_numbers(), (std::vector<double>{1.5, -3.0}));
+  EXPECT_TRUE(tokens.ok());
+  EXPECT_TRUE(tokens.at_end());
+}
+
+TEST(Tokens, AreNotOkAfterAMissingOrGarbledNumber) {
+  Tokens missing("1");
   missing.number();
   EXPECT_TRUE(missing.ok());
   missing.number();
   EXPECT_FALSE(missing.ok());
-  Fields garbled("1.5x 2");
+  Tokens garbled("1.5x 2");
   EXPECT_EQ(garbled.number(), 0.0);
   EXPECT_FALSE(garbled.ok());
 }
 
-TEST(Fields, DoNotBelieveACountBeyondTheLine) {
+TEST(Tokens, DoNotBelieveACountBeyondTheLine) {
   for (const char* line : {"1000000000 1 2", "-3 1 2", "2.5 1 2", "nan 1", "3 1 2"}) {
-    Fields fields(line);
-    fields.counted_numbers();
-    EXPECT_FALSE(fields.ok()) << line;
+    Tokens tokens(line);
+    tokens.counted_numbers();
+    EXPECT_FALSE(tokens.ok()) << line;
   }
 }
 

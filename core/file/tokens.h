@@ -1,13 +1,24 @@
 #pragma once
 
 #include <charconv>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "core/input_error.h"
+
+// Text cut into lines, words and numbers. Words stand between blanks, tabs and the "\r" that some
+// files have before their line ends; numbers are those of std::from_chars, whatever the locale.
+
 namespace mapbed {
+
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r';
+}
 
 // A number at the beginning of a text, the very bits of std::from_chars, some four times as fast
 // for plain decimals: up to 15 digits and 22 decimals make an exact integer divided by an exact
@@ -42,25 +53,46 @@ inline const char* read_number(const char* text, const char* end, double& value)
   return error == std::errc() ? rest : nullptr;
 }
 
-// The blank-separated fields of a line, one after the other. Once a field is missing or is not what
-// was asked for, ok() is false and every further number is 0.
-class Fields {
+// A finite number that fills the whole word, with or without a sign; false where the word is
+// anything else.
+bool parse_number(std::string_view word, double& number);
+
+// The same of a whole number that its type can hold.
+template <std::integral Integer>
+bool parse_number(std::string_view word, Integer& number) {
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc{} && end == word.data() + word.size();
+}
+
+// The number that a word is. Throws InputError where it is not a finite one: "'x' is not a number".
+double number_of(std::string_view word, const SourceLocation& place, const std::string& remedy);
+
+// The first line of `text`, cut off, without its line end ("\n" or "\r\n").
+std::string_view next_line(std::string_view& text);
+
+std::string_view next_word(std::string_view& line);      // cut off as well; empty at the line's end
+std::string_view without_blanks(std::string_view text);  // at either end
+std::size_t words_in(std::string_view line);
+
+// The words of a line, one after the other. Once one is missing or is not what was asked for, ok()
+// is false and every further number is 0.
+class Tokens {
  public:
-  explicit Fields(std::string_view line) : at_(line.data()), end_(line.data() + line.size()) {}
+  explicit Tokens(std::string_view line) : at_(line.data()), end_(line.data() + line.size()) {}
 
   bool ok() const { return ok_; }
   bool at_end() {
     skip_blanks();
     return at_ == end_;
   }
-  std::string_view characters() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
+  std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
   std::string_view word() {
-    skip_blanks();
-    const char* const begin = at_;
-    while (at_ != end_ && !is_blank(*at_)) ++at_;
-    if (at_ == begin) ok_ = false;
-    return {begin, static_cast<std::size_t>(at_ - begin)};
+    std::string_view left = rest();
+    const std::string_view found = next_word(left);
+    at_ = left.data();
+    if (found.empty()) ok_ = false;
+    return found;
   }
 
   double number() {
@@ -75,28 +107,10 @@ class Fields {
     return value;
   }
 
-  // A count of fields that follow: a whole number, and no more than the line has room for.
-  std::size_t count() {
-    const double value = number();
-    if (!(value >= 0.0) || value > static_cast<double>(characters().size()) ||
-        value != static_cast<double>(static_cast<std::size_t>(value))) {
-      ok_ = false;
-      return 0;
-    }
-    return static_cast<std::size_t>(value);
-  }
-
-  // n, then n numbers.
-  std::vector<double> counted_numbers() {
-    std::vector<double> values;
-    const std::size_t n = count();
-    values.reserve(n);
-    for (std::size_t i = 0; i < n && ok_; ++i) values.push_back(number());
-    return values;
-  }
+  std::size_t count();                    // a whole number, no larger than the line is long
+  std::vector<double> counted_numbers();  // n, then n numbers
 
  private:
-  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
   void skip_blanks() {
     while (at_ != end_ && is_blank(*at_)) ++at_;
   }

@@ -1,0 +1,20 @@
+#include "core/log/dialects/dialects.h"
+
+#include "core/log/dialects/carmen_log.h"
+#include "core/log/dialects/coreslam_log.h"
+#include "core/log/dialects/dpslam_log.h"
+#include "core/log/dialects/scan_list_log.h"
+
+namespace mapbed {
+
+std::span<const LogDialect> log_dialects() {
+  static const LogDialect dialects[] = {
+      dpslam_dialect(),
+      carmen_dialect(),
+      scan_list_dialect(),
+      coreslam_dialect(),
+  };
+  return dialects;
+}
+
+}  // namespace mapbed
