@@ -1,7 +1,10 @@
 #include "worlds/worlds.h"
 
+#include <memory>
+
 #include "core/config/suggestion.h"
 #include "core/data_path.h"
+#include "core/file/hash.h"
 #include "core/input_error.h"
 #include "worlds/corridor/corridor.h"
 #include "worlds/file/world_file.h"
@@ -15,21 +18,21 @@ namespace {
 template <class Options>
 WorldKind kind(const std::string& name, const std::string& about, World (*build)(const Options&),
                const Options& defaults = {}) {
-  const auto options_with = [name, defaults](const Settings& settings) {
-    Options options = defaults;
-    apply(settings, options_of(options), "world '" + name + "'");
-    return options;
-  };
-  return {name, about,
-          [options_with](const Settings& settings) {
-            Options options = options_with(settings);
-            return to_yaml(options_of(options));
-          },
-          [options_with, build, name](const Settings& settings) {
-            World world = build(options_with(settings));
-            world.name = name;  // one builder can make several kinds
-            return world;
+  return {name, about, [=](const Settings& settings) {
+            Options options = defaults;
+            apply(settings, options_of(options), "world '" + name + "'");
+            return Configured<World()>{to_yaml(options_of(options)), [=] {
+                                         World world = build(options);
+                                         world.name = name;  // a builder can make several kinds
+                                         return world;
+                                       }};
           }};
+}
+
+// The world as it is in the file now, for as long as it is asked for.
+Configured<World()> configure_file(const std::string& path, const Settings& settings) {
+  const auto world = std::make_shared<const World>(load_world(path, settings));
+  return {"sha256: " + sha256_of_file(path) + "\n", [world] { return *world; }};
 }
 
 }  // namespace
@@ -54,18 +57,22 @@ std::vector<std::string> world_file_names() {
   return data_names("worlds");
 }
 
-World build_world(const std::string& name, const Settings& settings) {
-  if (name.ends_with(".yaml")) return load_world(name, settings);
+Configured<World()> configure_world(const std::string& name, const Settings& settings) {
+  if (name.ends_with(".yaml")) return configure_file(name, settings);
   std::vector<std::string> names;
   for (const WorldKind& world : world_kinds()) {
-    if (world.name == name) return world.build(settings);
+    if (world.name == name) return world.configure(settings);
     names.push_back(world.name);
   }
   for (const std::string& file : world_file_names()) {
-    if (file == name) return load_world(find_data_file("world", "worlds", name), settings);
+    if (file == name) return configure_file(find_data_file("world", "worlds", name), settings);
     names.push_back(file);
   }
   throw InputError("unknown world '" + name + "'; " + suggestion(name, names));
+}
+
+World build_world(const std::string& name, const Settings& settings) {
+  return configure_world(name, settings).make();
 }
 
 }  // namespace mapbed

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/config/configured.h"
 #include "core/config/settings.h"
 #include "worlds/world.h"
 
@@ -14,8 +15,7 @@ namespace mapbed {
 struct WorldKind {
   std::string name;
   std::string about;
-  std::function<std::string(const Settings&)> complete_yaml;  // all options as they hold then
-  std::function<World(const Settings&)> build;
+  std::function<Configured<World()>(const Settings&)> configure;
 };
 
 const std::vector<WorldKind>& world_kinds();
@@ -24,8 +24,11 @@ const std::vector<WorldKind>& world_kinds();
 std::vector<std::string> world_file_names();
 
 // By the name of a builder or of a file in worlds/, or from a file where the name ends in ".yaml"
-// (worlds/file/world_file.h). Throws InputError for an unknown name (with the nearest one) or a
-// wrong setting.
-World build_world(const std::string& name, const Settings& settings = {});
+// (worlds/file/world_file.h), which is read now and never again. Throws InputError for an unknown
+// name (with the nearest one) or a wrong setting; of a builder that cannot make what is asked for,
+// only make() says so.
+Configured<World()> configure_world(const std::string& name, const Settings& settings = {});
+
+World build_world(const std::string& name, const Settings& settings = {});  // at once
 
 }  // namespace mapbed

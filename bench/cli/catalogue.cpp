@@ -29,7 +29,7 @@ std::vector<CatalogueEntry> method_entries() {
 std::vector<CatalogueEntry> world_entries() {
   std::vector<CatalogueEntry> entries;
   for (const WorldKind& kind : world_kinds()) {
-    entries.push_back({kind.name, kind.about, [&kind] { return kind.complete_yaml({}); }});
+    entries.push_back({kind.name, kind.about, [&kind] { return kind.configure({}).complete_yaml; }});
   }
   for (const std::string& name : world_file_names()) {
     const std::string path = find_data_file("world", "worlds", name).string();

@@ -43,19 +43,27 @@ ScenarioChoice choice_of(const SimulateArguments& a) {
   return choice;
 }
 
-SimulationPlan plan_of(const SimulateArguments& a) {
+struct SimulationToRun {
+  SimulationPlan plan;
+  std::uint64_t seed;
+};
+
+SimulationToRun simulation_of(const SimulateArguments& a) {
   const ScenarioChoice choice = choice_of(a);
-  if (!a.scenario.empty()) return simulation_in(load_scenario(a.scenario, choice), a.variant);
+  if (!a.scenario.empty()) {
+    const Scenario scenario = load_scenario(a.scenario, choice);
+    return {simulation_in(scenario, a.variant), scenario.seed};
+  }
   if (a.world.empty() || a.robot.empty()) {
     throw InputError("simulate needs a scenario file, or --world and --robot");
   }
-  return simulation_plan(choice.settings, a.seed.value_or(1));
+  return {simulation_plan(choice.settings), a.seed.value_or(1)};
 }
 
 int simulate(const SimulateArguments& arguments) {
-  const SimulationPlan plan = plan_of(arguments);
+  const SimulationToRun to_run = simulation_of(arguments);
   const Clock::time_point start = Clock::now();
-  const SimulationResult result = run_simulation(plan);
+  const SimulationResult result = run_simulation(to_run.plan, to_run.seed);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   write_simulation(arguments.log, result);
 
@@ -65,8 +73,8 @@ int simulate(const SimulateArguments& arguments) {
   fmt::print(
       "{} in {}: {} scans, {:.1f} s, {:.1f} m of path; simulated in {:.2f} s, {:.0f} times "
       "real time\n",
-      result.robot.name, result.world.name, scans.size(), recorded, path_length(truth), seconds,
-      seconds > 0.0 ? recorded / seconds : 0.0);
+      result.simulation.robot.name, result.simulation.world->name, scans.size(), recorded,
+      path_length(truth), seconds, seconds > 0.0 ? recorded / seconds : 0.0);
   if (!result.recording.is_complete) {
     fmt::print(stderr, "remark: the robot did not get to the end of its path in time\n");
   }

@@ -131,11 +131,11 @@ const PlannedRuns& ScenarioPlan::planned_of(const RunRow& row) const {
 }
 
 PlannedRuns planned_runs(const Scenario& scenario, const Experiment& experiment, const Level& level,
-                         const Variant& variant) {
+                         const Variant& variant, SimulationParts& parts) {
   PlannedRuns planned{.settings = divided(settings_of(scenario, level, variant))};
   planned.experiment_yaml = experiment.complete_yaml(planned.settings.experiment);
   if (experiment.needs_log) {
-    planned.source = plan_source(planned.settings.source);
+    planned.source = plan_source(planned.settings.source, parts);
   } else if (!planned.settings.source.empty()) {
     const Setting& setting = planned.settings.source.front();
     throw InputError(setting.place,
@@ -157,9 +157,10 @@ ScenarioPlan make_plan(Scenario scenario) {
   }
   for (const PlotSpec& plot : plan.results.plots) check_plot(plot, plan.results);
   check_keys(plan.scenario, *plan.experiment);
+  SimulationParts parts;
   for (const Level& level : plan.results.levels) {
     for (const Variant& variant : plan.scenario.variants) {
-      plan.planned.push_back(planned_runs(plan.scenario, *plan.experiment, level, variant));
+      plan.planned.push_back(planned_runs(plan.scenario, *plan.experiment, level, variant, parts));
     }
   }
   plan.results.skipped = skipped_in(plan);

@@ -33,7 +33,7 @@ struct ScenarioPlan {
 
 // All below throw InputError with place, reason and remedy.
 PlannedRuns planned_runs(const Scenario& scenario, const Experiment& experiment, const Level& level,
-                         const Variant& variant);
+                         const Variant& variant, SimulationParts& parts);
 ScenarioPlan make_plan(Scenario scenario);
 
 }  // namespace mapbed

@@ -75,7 +75,7 @@ class Runner {
       const double start = processor_time();
       try {
         const RunRow first = plan_.row(runs.front());
-        source = open_source(plan_.planned_of(first).settings.source, first.seed);
+        source = open_source(plan_.planned_of(first).source, first.seed);
         ++recordings_;
       } catch (const std::bad_alloc&) {
         throw;  // a failure of the machine, not of the run
@@ -136,7 +136,7 @@ class Runner {
   RunOutcome outcome_of(const RunRow& row, const LogSource* source) const {
     const PlannedRuns& planned = plan_.planned_of(row);
     RunInput input;
-    if (source != nullptr) input = source->input(planned.settings.source, row.seed);
+    if (source != nullptr) input = source->input(planned.source, row.seed);
     input.rng = Rng(row.seed).stream("experiment");
     input.shown = row.seed == plan_.scenario.seed;
     input.label = label_of(row);

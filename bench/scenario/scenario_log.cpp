@@ -49,9 +49,10 @@ SimulationPlan simulation_in(const Scenario& scenario, const std::string& varian
   const std::vector<Variant> variants = chosen_variants(scenario, variant);
   std::string first_log;
   PlannedRuns chosen;
+  SimulationParts parts;
   for (const Variant& of : variants) {
     for (const Level& level : levels_of(scenario.axes)) {
-      PlannedRuns planned = planned_runs(scenario, experiment, level, of);
+      PlannedRuns planned = planned_runs(scenario, experiment, level, of, parts);
       if (!planned.source.depends_on_seed) {
         throw InputError({scenario.path}, "its log is a recorded one", "'mapbed map' works on it");
       }
@@ -63,7 +64,7 @@ SimulationPlan simulation_in(const Scenario& scenario, const std::string& varian
       }
     }
   }
-  return simulation_plan(chosen.settings.source, scenario.seed);
+  return simulation_plan(chosen.settings.source);
 }
 
 }  // namespace mapbed

@@ -44,10 +44,10 @@ std::vector<double> ranges_of(const SensorLog& log) {
 
 TEST_F(ScenarioLog, IsTheOneOnWhichItsRunsWork) {
   const Scenario scenario = this->scenario("seed: 5\ncompare: {a: {estimator: odometry}}\n");
-  const SensorLog alone = run_simulation(simulation_in(scenario)).log;
+  const SensorLog alone = run_simulation(simulation_in(scenario), 5).log;
   const ScenarioPlan plan = make_plan(scenario);
-  const Settings settings = plan.planned.front().settings.source;
-  const SensorLog of_runs = open_source(settings, 5)->input(settings, 5).log;
+  const SourcePlan& source = plan.planned.front().source;
+  const SensorLog of_runs = open_source(source, 5)->input(source, 5).log;
   EXPECT_FALSE(ranges_of(alone).empty());
   EXPECT_EQ(ranges_of(alone), ranges_of(of_runs));
 }

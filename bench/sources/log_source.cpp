@@ -40,22 +40,21 @@ const Setting* named(const Settings& settings, const std::string& path) {
 
 class SimulatedLog : public LogSource {
  public:
-  SimulatedLog(const Settings& settings, std::uint64_t seed)
-      : simulation_(prepare_simulation(simulation_plan(settings, seed))),
-        recording_(record(simulation_)),
+  SimulatedLog(std::shared_ptr<const PreparedSimulation> simulation, std::uint64_t seed)
+      : simulation_(std::move(simulation)),
+        recording_(record(*simulation_, seed)),
         truth_(trajectory_of(recording_.truth)) {}
 
   double recorded_seconds() const override {
     return truth_.empty() ? 0.0 : truth_.back().time - truth_.front().time;
   }
 
-  RunInput input(const Settings& settings, std::uint64_t seed) const override {
+  RunInput input(const SourcePlan& plan, std::uint64_t seed) const override {
     RunInput input;
-    const Robot robot = robot_with_noise(simulation_plan(settings, seed));
-    input.log = with_noise(recording_, robot, Rng(seed));
+    input.log = with_noise(recording_, plan.simulation->robot, Rng(seed));
     input.truth = truth_;
     input.recording = &recording_;
-    input.world = &simulation_.world;
+    input.world = simulation_->world.get();
     input.true_map = [this](double resolution) -> const TrueMap& { return true_map(resolution); };
     input.relations = [this]() -> const MeasuredRelations& { return relations(); };
     input.rng = Rng(seed);
@@ -68,8 +67,8 @@ class SimulatedLog : public LogSource {
     const auto found = true_maps_.find(resolution);
     if (found != true_maps_.end()) return found->second;
     RasterOptions options{.resolution = resolution};
-    options.height = simulation_.robot.lasers.front().height;
-    return true_maps_.emplace(resolution, raster(simulation_.world, options)).first->second;
+    options.height = simulation_->robot.lasers.front().height;
+    return true_maps_.emplace(resolution, raster(*simulation_->world, options)).first->second;
   }
 
   // Those that `mapbed simulate` writes beside a log.
@@ -83,7 +82,7 @@ class SimulatedLog : public LogSource {
     return *relations_;
   }
 
-  PreparedSimulation simulation_;
+  std::shared_ptr<const PreparedSimulation> simulation_;
   Recording recording_;
   Trajectory truth_;
   mutable std::mutex mutex_;
@@ -130,7 +129,7 @@ class RecordedSource : public LogSource {
   double recorded_seconds() const override {
     return time_of(log_.measurements.back()) - time_of(log_.measurements.front());
   }
-  RunInput input(const Settings& /*settings*/, std::uint64_t seed) const override {
+  RunInput input(const SourcePlan& /*plan*/, std::uint64_t seed) const override {
     RunInput input;
     input.log = log_.measurements;
     input.truth = log_.true_poses;
@@ -170,6 +169,7 @@ SourcePlan plan_recorded(const Settings& settings) {
   if (description) plan.complete_yaml += "sha256: " + description->log.sha256 + "\n";
   plan.complete_yaml += to_yaml(options_of(options));
   plan.key = plan.complete_yaml;
+  plan.settings = settings;
   plan.depends_on_seed = false;
   if (description && !is_here(*description)) {
     plan.missing = fmt::format("the log '{}' is not here ({})", name, description->log.file);
@@ -187,9 +187,8 @@ DividedSettings divided(const Settings& settings) {
   return result;
 }
 
-SimulationPlan simulation_plan(const Settings& settings, std::uint64_t seed) {
+SimulationPlan simulation_plan(const Settings& settings) {
   SimulationPlan plan;
-  plan.seed = seed;
   for (const Setting& setting : settings) {
     if (setting.path == "world") {
       plan.world = setting.text;
@@ -211,15 +210,23 @@ SimulationPlan simulation_plan(const Settings& settings, std::uint64_t seed) {
   return plan;
 }
 
-SourcePlan plan_source(const Settings& settings) {
+SourcePlan plan_source(const Settings& settings, SimulationParts& parts) {
   if (named(settings, "log") != nullptr) return plan_recorded(settings);
-  const PreparedSimulation simulation = prepare_simulation(simulation_plan(settings, 0));
-  return {.complete_yaml = simulation.config, .key = simulation.noiseless_config};
+  const auto simulation = std::make_shared<const PreparedSimulation>(
+      prepare_simulation(simulation_plan(settings), parts));
+  return {.complete_yaml = simulation->config,
+          .key = simulation->noiseless_config,
+          .simulation = simulation};
 }
 
-std::unique_ptr<LogSource> open_source(const Settings& settings, std::uint64_t seed) {
-  if (named(settings, "log") != nullptr) return std::make_unique<RecordedSource>(settings);
-  return std::make_unique<SimulatedLog>(settings, seed);
+SourcePlan plan_source(const Settings& settings) {
+  SimulationParts parts;
+  return plan_source(settings, parts);
+}
+
+std::unique_ptr<LogSource> open_source(const SourcePlan& plan, std::uint64_t seed) {
+  if (plan.simulation == nullptr) return std::make_unique<RecordedSource>(plan.settings);
+  return std::make_unique<SimulatedLog>(plan.simulation, seed);
 }
 
 }  // namespace mapbed

@@ -52,15 +52,11 @@ Settings settings_of_others(const Settings& all) {
   return result;
 }
 
-// All of them, indented; a world file has none.
-std::string world_options(const std::string& world, const Settings& settings) {
-  std::string text;
-  for (const WorldKind& kind : world_kinds()) {
-    if (kind.name != world) continue;
-    std::istringstream lines(kind.complete_yaml(settings));
-    for (std::string line; std::getline(lines, line);) text += "  " + line + "\n";
-  }
-  return text;
+std::string indented(const std::string& text) {
+  std::string result;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) result += "  " + line + "\n";
+  return result;
 }
 
 // A driver who is told measurements reacts to their noise, which then belongs to the recording.
@@ -81,10 +77,10 @@ std::string stem_of(std::string path) {
   return path;
 }
 
-void write_true_map(const std::string& stem, const SimulationResult& result) {
+void write_true_map(const std::string& stem, const PreparedSimulation& simulation) {
   RasterOptions options;
-  if (!result.robot.lasers.empty()) options.height = result.robot.lasers.front().height;
-  const TrueMap map = raster(result.world, options);
+  options.height = simulation.robot.lasers.front().height;
+  const TrueMap map = raster(*simulation.world, options);
   MapServerMap file{
       .occupancy = Image<float>(map.width, map.height, MapServerMap::kUnknown),
       .resolution = map.resolution,
@@ -102,30 +98,42 @@ void write_true_map(const std::string& stem, const SimulationResult& result) {
 
 }  // namespace
 
-PreparedSimulation prepare_simulation(const SimulationPlan& plan) {
-  PreparedSimulation prepared{.plan = plan};
-  prepared.world = build_world(plan.world, settings_of_world(plan.settings));
-  prepared.robot = load_robot(plan.robot);
+const SimulationParts::BuiltWorld& SimulationParts::world(const std::string& name,
+                                                          const Settings& settings) {
+  const Configured<World()> configured = configure_world(name, settings);
+  const auto [found, is_new] = worlds_.try_emplace(name + "\n" + configured.complete_yaml);
+  if (is_new) {
+    found->second = {configured.complete_yaml, std::make_shared<const World>(configured.make())};
+  }
+  return found->second;
+}
+
+const Robot& SimulationParts::robot(const std::string& name) {
+  const auto found = robots_.find(name);
+  return found != robots_.end() ? found->second
+                                : robots_.emplace(name, load_robot(name)).first->second;
+}
+
+PreparedSimulation prepare_simulation(const SimulationPlan& plan, SimulationParts& parts) {
+  const auto& [world_yaml, world] = parts.world(plan.world, settings_of_world(plan.settings));
+  PreparedSimulation prepared{.world = world, .robot = parts.robot(plan.robot)};
   Options options{.robot = prepared.robot, .simulation = {}, .driver = {}, .recorder = {}};
   if (plan.people >= 0) {
-    options.simulation.people =
-        with_people(options.simulation.people, prepared.world.crowd, plan.people);
+    options.simulation.people = with_people(options.simulation.people, world->crowd, plan.people);
   }
   apply(settings_of_others(plan.settings), options_of(options), "the simulation");
-  if (prepared.world.paths.empty()) {
+  if (world->paths.empty()) {
     throw InputError("world '" + plan.world + "' has no path to drive; add one to its paths");
   }
   if (prepared.robot.lasers.empty()) {
     throw InputError("robot '" + plan.robot + "' has no laser; add one to its lasers");
   }
-  prepared.path =
-      plan.path.empty() ? prepared.world.paths.front() : path_by_name(prepared.world, plan.path);
+  prepared.path = plan.path.empty() ? world->paths.front() : path_by_name(*world, plan.path);
   prepared.simulation = options.simulation;
   prepared.driver = options.driver;
   prepared.recorder = options.recorder;
-  const std::string names =
-      fmt::format("world: {}\npath: {}\nworld_options:\n{}", plan.world, prepared.path.name,
-                  world_options(plan.world, settings_of_world(plan.settings)));
+  const std::string names = fmt::format("world: {}\npath: {}\nworld_options:\n{}", plan.world,
+                                        prepared.path.name, indented(world_yaml));
   prepared.config = names + to_yaml(options_of(options));
   Robot noiseless = without_noise(prepared.robot, prepared.recorder);
   Options rest{.robot = noiseless,
@@ -136,9 +144,14 @@ PreparedSimulation prepare_simulation(const SimulationPlan& plan) {
   return prepared;
 }
 
-Recording record(const PreparedSimulation& prepared) {
-  const Rng rng(prepared.plan.seed);
-  Simulation simulation(prepared.world, prepared.robot, start_of(prepared.path),
+PreparedSimulation prepare_simulation(const SimulationPlan& plan) {
+  SimulationParts parts;
+  return prepare_simulation(plan, parts);
+}
+
+Recording record(const PreparedSimulation& prepared, std::uint64_t seed) {
+  const Rng rng(seed);
+  Simulation simulation(*prepared.world, prepared.robot, start_of(prepared.path),
                         prepared.simulation, rng);
   ScriptedDriver driver(simulation, prepared.path, prepared.driver);
   RecorderOptions options = prepared.recorder;
@@ -146,21 +159,10 @@ Recording record(const PreparedSimulation& prepared) {
   return record(simulation, driver, options, rng);
 }
 
-Robot robot_with_noise(const SimulationPlan& plan) {
-  Robot robot = load_robot(plan.robot);
-  Options options{.robot = robot, .simulation = {}, .driver = {}, .recorder = {}};
-  apply(settings_of_others(plan.settings), options_of(options), "the simulation");
-  return robot;
-}
-
-SimulationResult run_simulation(const SimulationPlan& plan) {
-  PreparedSimulation prepared = prepare_simulation(plan);
-  SimulationResult result;
-  result.recording = record(prepared);
-  result.log = with_noise(result.recording, prepared.robot, Rng(plan.seed));
-  result.config = fmt::format("seed: {}\n", plan.seed) + prepared.config;
-  result.world = std::move(prepared.world);
-  result.robot = std::move(prepared.robot);
+SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed) {
+  SimulationResult result{.simulation = prepare_simulation(plan), .seed = seed};
+  result.recording = record(result.simulation, seed);
+  result.log = with_noise(result.recording, result.simulation.robot, Rng(seed));
   return result;
 }
 
@@ -175,8 +177,9 @@ void write_simulation(const std::string& log_path, const SimulationResult& resul
   write_truth(stem + ".truth.gz", result.recording.truth);
   write_text_file(stem + ".relations", relations_text(truth));
   write_trajectory(stem + ".tum", truth);
-  write_text_file(stem + ".config.yaml", result.config);
-  write_true_map(stem, result);
+  write_text_file(stem + ".config.yaml",
+                  fmt::format("seed: {}\n", result.seed) + result.simulation.config);
+  write_true_map(stem, result.simulation);
 }
 
 }  // namespace mapbed

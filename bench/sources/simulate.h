@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <string>
 
+#include "core/config/configured.h"
 #include "core/config/settings.h"
 #include "sim/recorder.h"
 #include "sim/scripted_driver.h"
@@ -10,20 +13,34 @@
 
 namespace mapbed {
 
-// One recording: which world, which robot along which path, who is about.
+// Which world, which robot along which path, who is about.
 struct SimulationPlan {
-  std::string world;       // a builder's name or a world file
-  std::string robot;       // a robot's name or file
-  std::string path;        // a named path of the world; empty: its first
-  int people = -1;         // all together, see with_people(); -1: as many as the world says
-  std::uint64_t seed = 1;  // of everything that is chance
-  Settings settings;       // world.…, robot.…, simulation.…, driver.…, recorder.…
+  std::string world;  // a builder's name or a world file
+  std::string robot;  // a robot's name or file
+  std::string path;   // a named path of the world; empty: its first
+  int people = -1;    // all together, see with_people(); -1: as many as the world says
+  Settings settings;  // world.…, robot.…, simulation.…, driver.…, recorder.…
 };
 
-// Everything that is needed to record, checked.
+// Worlds and robots for simulations that are prepared together: each is read or built once, however
+// many of them it is in.
+class SimulationParts {
+ public:
+  struct BuiltWorld {
+    std::string complete_yaml;
+    std::shared_ptr<const World> world;
+  };
+  const BuiltWorld& world(const std::string& name, const Settings& settings);
+  const Robot& robot(const std::string& name);  // as its file has it
+
+ private:
+  std::map<std::string, BuiltWorld> worlds_;  // by name and options
+  std::map<std::string, Robot> robots_;
+};
+
+// A simulation whose settings are bound: nothing is read from text or disk any more.
 struct PreparedSimulation {
-  SimulationPlan plan;
-  World world;
+  std::shared_ptr<const World> world;
   Robot robot;
   NamedPath path;
   SimulationOptions simulation;
@@ -35,20 +52,22 @@ struct PreparedSimulation {
 };
 
 // Throws InputError where something is unknown or does not fit.
+PreparedSimulation prepare_simulation(const SimulationPlan& plan, SimulationParts& parts);
 PreparedSimulation prepare_simulation(const SimulationPlan& plan);
-Recording record(const PreparedSimulation& prepared);
-Robot robot_with_noise(const SimulationPlan& plan);  // the robot alone, with its settings
+
+// `seed` is that of everything that is chance. For several threads at a time. The log is what the
+// prepared robot reads: with_noise(recording, prepared.robot, Rng(seed)).
+Recording record(const PreparedSimulation& prepared, std::uint64_t seed);
 
 struct SimulationResult {
-  World world;
-  Robot robot;
+  PreparedSimulation simulation;
+  std::uint64_t seed = 0;
   Recording recording;
   SensorLog log;
-  std::string config;  // complete, as YAML
 };
 
 // All of the above, and noise.
-SimulationResult run_simulation(const SimulationPlan& plan);
+SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed);
 
 // Beside LOG = name.log[.gz]: name.truth.gz, name.relations, name.tum (true poses), name_map.pgm
 // and .yaml (true map at the first laser's height), name.config.yaml.
