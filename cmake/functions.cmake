@@ -17,9 +17,10 @@ macro(mapbed_package name debian_package)
   endif()
 endmacro()
 
-# A library of headers alone, without a CMake package: makes the target name::name.
+# Headers of a library without a CMake package: makes the target name::name. Further words are for
+# find_path.
 function(mapbed_headers name header debian_package)
-  find_path(${name}_INCLUDE_DIR ${header})
+  find_path(${name}_INCLUDE_DIR ${header} ${ARGN})
   if(NOT ${name}_INCLUDE_DIR)
     message(FATAL_ERROR "${header} not found; install it with: apt-get install ${debian_package}")
   endif()

@@ -8,8 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/image/color_map.h"
-#include "core/image/draw.h"
-#include "core/image/text.h"
+#include "core/image/drawing.h"
 
 namespace mapbed {
 namespace {
@@ -136,14 +135,6 @@ RgbImage image_of_blocks(const OccupancyMap& map, const Layout& layout) {
   return image;
 }
 
-void paste_enlarged(const RgbImage& small, int scale, RgbImage& image) {
-  for (int y = 0; y < small.height() * scale; ++y) {
-    for (int x = 0; x < small.width() * scale; ++x) {
-      image.at(kMargin + x, kMargin + y) = small.at(x / scale, y / scale);
-    }
-  }
-}
-
 Eigen::Vector2d pixel_of(const Eigen::Vector2d& point, const OccupancyMap& map,
                          const Layout& layout) {
   const Eigen::Vector2d cells = map.frame().in_cells(point);
@@ -254,7 +245,7 @@ RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths
   const int legend_height = static_cast<int>(places.back().y()) + 2 * kRowHeight;
 
   RgbImage image(width + 2 * kMargin, layout.height() + 3 * kMargin + legend_height, kWhite);
-  paste_enlarged(image_of_blocks(map, layout), layout.pixels_per_cell, image);
+  paste(image_of_blocks(map, layout), layout.pixels_per_cell, image, kMargin, kMargin);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const double line = 1.8 + 2.4 * static_cast<double>(paths.size() - 1 - i);
     draw_path(image, paths[i], color_of_path(i), line, map, layout);

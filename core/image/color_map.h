@@ -8,13 +8,11 @@ enum class ColorMap { gray, blue_to_yellow };
 
 // The colour of a share in [0, 1]; shares outside take the nearest end, NaN the colour of 0.
 //   gray            black to white
-//   blue_to_yellow  dark blue over grey to light yellow, a straight line in the Oklab space: equal
-//                   steps look equally large, lightness grows all the way (it survives a black and
-//                   white printer), and it looks nearly the same with red-green blindness.
+//   blue_to_yellow  OpenCV's cividis, in 256 steps: dark blue over grey to light yellow. Equal
+//   steps
+//                   look equally large, lightness grows all the way (it survives a black and white
+//                   printer), and it looks nearly the same with red-green blindness.
 Rgb color_of(ColorMap map, double share);
-
-// A grey picture through a colour map; gray: the same picture, ready to be drawn on.
-RgbImage colored(const GrayImage& image, ColorMap map = ColorMap::gray);
 
 // Colours for things of different kinds, told apart with every common kind of colour blindness: the
 // eight of Okabe and Ito (2008), black first; they repeat after eight.
