@@ -9,12 +9,12 @@
 #include "core/check.h"
 #include "core/data_path.h"
 #include "core/input_error.h"
+#include "core/statistics/distributions.h"
 
 namespace mapbed {
 namespace {
 
 constexpr double kLeastSpread = 1e-4;         // [m] or [rad]
-constexpr double kInside95 = 7.814727903;     // chi-squared with 3 degrees of freedom
 constexpr double kLogTwoPi = 1.837877066409;  // ln(2 pi)
 
 // The spreads as logarithms.
@@ -131,12 +131,13 @@ MotionModelOptions learned_motion_model(const std::vector<MotionSample>& samples
 Calibration calibration_of(const std::vector<MotionSample>& samples,
                            const MotionModelOptions& model) {
   CHECK(!samples.empty());
+  const double inside_95 = chi_square_quantile(0.95, 3);
   double sum = 0.0;
   int inside = 0;
   for (const MotionSample& sample : samples) {
     const double squared = squared_error(sample, gaussian_after({}, sample.measured, model));
     sum += squared / 3.0;
-    inside += squared <= kInside95 ? 1 : 0;
+    inside += squared <= inside_95 ? 1 : 0;
   }
   const auto count = static_cast<double>(samples.size());
   return {sum / count, inside / count};

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Dense>
 
 #include "core/check.h"
 #include "core/geometry/angle.h"
+#include "core/statistics/quantile.h"
 
 namespace mapbed {
 namespace {
@@ -29,9 +31,7 @@ Lattice lattice_of(const FieldPoints& points, double resolution,
     for (std::size_t i = 0; i < points.size(); ++i) {
       distances[i] = std::hypot(points.x[i], points.y[i]);
     }
-    const auto far = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 9 / 10);
-    std::nth_element(distances.begin(), far, distances.end());
-    lattice.turn_step = 1.0 / std::max(1.0, double{*far});
+    lattice.turn_step = 1.0 / std::max(1.0, double{quantile_of(std::move(distances), 0.9)});
   }
   lattice.turns = static_cast<int>(std::ceil(options.turn_window / lattice.turn_step - 1e-9));
   return lattice;

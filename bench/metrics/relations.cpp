@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -12,6 +11,7 @@
 #include "core/file/tokens.h"
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
+#include "core/statistics/moments.h"
 
 namespace mapbed {
 namespace {
@@ -70,20 +70,6 @@ std::optional<Pose2> robot_at(const Trajectory& estimate, const Trajectory& odom
                normalized_angle(p.theta + share * angle_difference(p.theta, q.theta))};
 }
 
-// NaN where there are none, as the next.
-double mean_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return values.empty() ? std::numeric_limits<double>::quiet_NaN()
-                        : sum / static_cast<double>(values.size());
-}
-
-double sigma_of(const std::vector<double>& values, double mean) {
-  std::vector<double> squares;
-  for (const double value : values) squares.push_back(std::pow(value - mean, 2));
-  return std::sqrt(mean_of(squares));
-}
-
 constexpr const char* kLine = "a relation is 't1 t2 x y z roll pitch yaw' in s, m and rad";
 
 Relation parsed(std::string_view line, const SourceLocation& place) {
@@ -139,9 +125,9 @@ RelationsError relations_error(const Trajectory& estimate, const std::vector<Rel
 
   result.count = static_cast<int>(offsets.size());
   result.mean_translation = mean_of(offsets);
-  result.sigma_translation = sigma_of(offsets, result.mean_translation);
+  result.sigma_translation = sigma_of(offsets);
   result.mean_rotation = mean_of(turns);
-  result.sigma_rotation = sigma_of(turns, result.mean_rotation);
+  result.sigma_rotation = sigma_of(turns);
   return result;
 }
 

@@ -8,6 +8,8 @@
 
 #include "core/check.h"
 #include "core/geometry/angle.h"
+#include "core/statistics/moments.h"
+#include "core/statistics/quantile.h"
 
 namespace mapbed {
 namespace {
@@ -125,20 +127,11 @@ ErrorStatistics statistics_of(std::vector<double> errors) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   if (errors.empty()) return {0, nan, nan, nan, nan, nan, nan};
   std::sort(errors.begin(), errors.end());
-  const auto n = static_cast<double>(errors.size());
   ErrorStatistics result{.count = static_cast<int>(errors.size())};
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const double error : errors) {
-    sum += error;
-    squares += error * error;
-  }
-  result.mean = sum / n;
-  result.rmse = std::sqrt(squares / n);
-  double deviations = 0.0;
-  for (const double error : errors) deviations += (error - result.mean) * (error - result.mean);
-  result.sigma = std::sqrt(deviations / n);
-  result.median = (errors[(errors.size() - 1) / 2] + errors[errors.size() / 2]) / 2;
+  result.mean = mean_of(errors);
+  result.rmse = root_mean_square_of(errors);
+  result.sigma = sigma_of(errors);
+  result.median = median_of(errors);
   result.min = errors.front();
   result.max = errors.back();
   return result;

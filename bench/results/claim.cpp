@@ -9,6 +9,7 @@
 #include "core/check.h"
 #include "core/config/quantity.h"
 #include "core/config/suggestion.h"
+#include "core/statistics/sign_test.h"
 
 namespace mapbed {
 namespace {
@@ -383,16 +384,6 @@ std::string text_of(const Claim& claim, const Results& results) {
     text += ", at " + path.substr(path.rfind('.') + 1) + " = " + value;
   }
   return text;
-}
-
-double sign_test_probability(int wins, int losses) {
-  const int n = wins + losses;
-  double probability = 0.0;
-  for (int k = wins; k <= n; ++k) {
-    probability += std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) -
-                            n * std::log(2.0));
-  }
-  return std::min(1.0, probability);
 }
 
 }  // namespace mapbed

@@ -49,7 +49,4 @@ ClaimResult judge(const Claim& claim, const Results& results);
 
 std::string text_of(const Claim& claim, const Results& results);
 
-// One-sided sign test: the probability of at least `wins` heads in `wins + losses` fair tosses.
-double sign_test_probability(int wins, int losses);
-
 }  // namespace mapbed

@@ -116,11 +116,5 @@ TEST(Claim, ASignTestNeedsEnoughPairs) {
                    .held);  // 1/4
 }
 
-TEST(Claim, SignTestProbabilitiesAreThoseOfFairCoins) {
-  EXPECT_NEAR(sign_test_probability(5, 0), 1.0 / 32.0, 1e-12);
-  EXPECT_NEAR(sign_test_probability(4, 1), 6.0 / 32.0, 1e-12);
-  EXPECT_NEAR(sign_test_probability(0, 5), 1.0, 1e-12);
-}
-
 }  // namespace
 }  // namespace mapbed

@@ -3,25 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
-#include "core/random.h"
+#include "core/statistics/bootstrap.h"
+#include "core/statistics/moments.h"
+#include "core/statistics/quantile.h"
 
 namespace mapbed {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kResamples = 2000;
-constexpr std::uint64_t kBootstrapSeed = 2012;
-
-double mean_of(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double median_of(const std::vector<double>& sorted) {
-  const std::size_t half = sorted.size() / 2;
-  return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2.0;
-}
 
 void fill_in(SummaryRow& row, std::vector<double> values) {
   if (values.empty()) {
@@ -39,19 +29,6 @@ void fill_in(SummaryRow& row, std::vector<double> values) {
 }
 
 }  // namespace
-
-Interval bootstrap_interval(std::span<const double> values) {
-  if (values.size() < 2) return {kNone, kNone};
-  Rng rng = Rng(kBootstrapSeed).stream("bootstrap");
-  std::vector<double> means(kResamples);
-  for (double& mean : means) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) sum += values[rng.index(values.size())];
-    mean = sum / static_cast<double>(values.size());
-  }
-  std::sort(means.begin(), means.end());
-  return {means[kResamples / 40], means[kResamples - 1 - kResamples / 40]};
-}
 
 std::vector<SummaryRow> summarise(const Results& results) {
   const std::size_t variants = results.variants.size();

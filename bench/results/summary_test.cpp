@@ -2,34 +2,10 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
-
-#include "core/random.h"
+#include <gtest/gtest.h>
 
 namespace mapbed {
 namespace {
-
-TEST(Bootstrap, CoversTheTrueMeanNineteenTimesInTwenty) {
-  constexpr int kTrials = 400;
-  int covered = 0;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    Rng rng = Rng(5).stream("trial", static_cast<std::uint64_t>(trial));
-    std::vector<double> values(30);
-    for (double& value : values) value = rng.normal(2.0, 1.0);
-    const Interval interval = bootstrap_interval(values);
-    covered += interval.low <= 2.0 && 2.0 <= interval.high ? 1 : 0;
-  }
-  // Percentile intervals of 30 values cover a little less than 95 %; four standard errors.
-  EXPECT_NEAR(covered / static_cast<double>(kTrials), 0.94, 4 * std::sqrt(0.94 * 0.06 / kTrials));
-}
-
-TEST(Bootstrap, TheSameValuesGiveTheSameInterval) {
-  const std::vector<double> values{1.0, 2.0, 4.0, 8.0};
-  EXPECT_EQ(bootstrap_interval(values).low, bootstrap_interval(values).low);
-  EXPECT_GE(bootstrap_interval(values).low, 1.0);
-  EXPECT_LE(bootstrap_interval(values).high, 8.0);
-  EXPECT_TRUE(std::isnan(bootstrap_interval(std::vector<double>{1.0}).low));
-}
 
 TEST(Summary, CountsFailedRunsAndThoseWithoutValue) {
   Results results;

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "core/random.h"
+#include "core/statistics/moments.h"
 
 namespace mapbed {
 namespace {
@@ -47,18 +50,15 @@ TEST(ChiSquare, OneClassHasNothingToBeComparedWith) {
 TEST(ChiSquare, ScoresOfRightExpectationsAreStandardNormal) {
   constexpr int kTrials = 2000;
   Rng rng(3);
-  double sum = 0.0;
-  double squares = 0.0;
+  Moments scores;
   const std::vector<double> expected(11, 20.0);
   for (int trial = 0; trial < kTrials; ++trial) {
     std::vector<double> observed(expected.size(), 0.0);
     for (int i = 0; i < 220; ++i) observed[rng.index(observed.size())] += 1.0;
-    const double score = chi_square(observed, expected).score;
-    sum += score;
-    squares += score * score;
+    scores.add(chi_square(observed, expected).score);
   }
-  EXPECT_NEAR(sum / kTrials, 0.0, 5.0 / std::sqrt(kTrials));
-  EXPECT_NEAR(squares / kTrials, 1.0, 5.0 * std::sqrt(2.0 / kTrials));
+  EXPECT_NEAR(scores.mean(), 0.0, 5.0 / std::sqrt(kTrials));
+  EXPECT_NEAR(scores.variance(), 1.0, 5.0 * std::sqrt(2.0 / kTrials));
 }
 
 }  // namespace
