@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "bench/cli/program_under_test.h"
-#include "bench/results/results_file.h"
+#include "bench/results/result_folder.h"
 #include "core/data_path.h"
 #include "core/testing/temporary_folder.h"
 
@@ -24,8 +24,8 @@ TEST_P(QuickScenario, RunsAndReportsItsClaims) {
   }
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Results results = load_results(folder.file("r"));
-  EXPECT_FALSE(results.claims.empty());
-  for (const ClaimResult& claim : results.claims) EXPECT_FALSE(claim.measured.empty());
+  EXPECT_FALSE(results.verdicts.empty());
+  for (const Verdict& verdict : results.verdicts) EXPECT_FALSE(verdict.measured.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, QuickScenario, ::testing::ValuesIn(data_names("scenarios")),

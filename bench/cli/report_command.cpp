@@ -8,7 +8,8 @@
 #include "bench/cli/commands.h"
 #include "bench/pages/overview_page.h"
 #include "bench/results/figures.h"
-#include "bench/results/results_file.h"
+#include "bench/results/judge.h"
+#include "bench/results/result_folder.h"
 
 namespace mapbed {
 
@@ -17,15 +18,18 @@ void add_report_command(CLI::App& program, Action& action) {
       program.add_subcommand("report", "Write pages that show results, and one over all of them");
   const auto folders = std::make_shared<std::vector<std::string>>();
   command->add_option("FOLDER", *folders,
-                      "a scenario's results, or a folder of such; 'results' where left out. Draws "
-                      "the figures from the tables again and writes report.html into each, and "
+                      "a scenario's results, or a folder of such; 'results' where left out. Judges "
+                      "the claims and draws the figures again from the tables, and writes "
+                      "report.html into each, and "
                       "README.md into the folder of all");
   command->callback([folders, &action] {
     action = [folders] {
       if (folders->empty()) folders->push_back("results");
       for (const std::string& folder : *folders) {
         for (const std::string& result : result_folders(folder)) {
-          write_figures(result, load_results(result));
+          Results results = load_results(result);
+          if (judge_again(results)) write_results(result, results);
+          write_figures(result, results);
         }
         for (const std::string& path : write_reports(folder)) fmt::print("written: {}\n", path);
       }

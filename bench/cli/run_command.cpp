@@ -14,7 +14,7 @@
 #include "bench/cli/progress.h"
 #include "bench/pages/overview_page.h"
 #include "bench/results/figures.h"
-#include "bench/results/results_file.h"
+#include "bench/results/result_tables.h"
 #include "bench/scenario/run_scenario.h"
 #include "core/file/csv_file.h"
 #include "core/input_error.h"
@@ -49,7 +49,7 @@ std::vector<std::string> command_of(const RunArguments& a) {
 }
 
 void print_claims(const Results& results) {
-  for (const ClaimResult& claim : results.claims) {
+  for (const Verdict& claim : results.verdicts) {
     const char* verdict = !claim.judged ? "not judged" : claim.held ? "held" : "NOT HELD";
     fmt::print("{:<10} {}\n           {}\n", verdict, claim.claim, claim.measured);
   }
@@ -69,8 +69,8 @@ void print_result(const ScenarioRun& run, const std::string& folder) {
 }
 
 bool all_held(const Results& results) {
-  return std::all_of(results.claims.begin(), results.claims.end(),
-                     [](const ClaimResult& claim) { return claim.held || !claim.judged; });
+  return std::all_of(results.verdicts.begin(), results.verdicts.end(),
+                     [](const Verdict& claim) { return claim.held || !claim.judged; });
 }
 
 int print_one_run(const ScenarioPlan& plan, int number) {

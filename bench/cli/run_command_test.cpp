@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "bench/cli/testing/command_test.h"
-#include "bench/results/results_file.h"
+#include "bench/results/result_folder.h"
 
 namespace mapbed {
 namespace {
@@ -64,7 +64,7 @@ TEST_F(RunCommand, GivesTheSameBytesWithAnyNumberOfThreads) {
   const Results results = load_results(path("j1"));
   EXPECT_EQ(results.runs.size(), 24u);
   EXPECT_EQ(results.summary.size(), 2u * 2u * 4u);
-  EXPECT_EQ(results.claims.size(), 2u);
+  EXPECT_EQ(results.verdicts.size(), 2u);
   EXPECT_THAT(text("j1/claims.csv"), ::testing::Not(HasSubstr("real_time_factor")));
   EXPECT_THAT(text("j1/cost_claims.csv"), HasSubstr("real_time_factor of 'matched' is above 1"));
 }

@@ -6,9 +6,12 @@
 #include <fmt/format.h>
 
 #include "bench/pages/html.h"
+#include "bench/pages/pictures_html.h"
 #include "bench/pages/scenario_page.h"
 #include "bench/plot/svg_text.h"
+#include "bench/results/result_folder.h"
 #include "core/file/atomic_file.h"
+#include "core/file/text_file.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -16,12 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string question_of(const ResultFolder& result) {
-  return result.about.empty() ? result.id : result.about;
+std::string question_of(const Results& results) {
+  return results.about.empty() ? results.id : results.about;
 }
 
 // The folder's own name, for links from its parent.
-std::string place_of(const ResultFolder& result) {
+std::string place_of(const ReportedResults& result) {
   return fs::absolute(result.folder + "/.").lexically_normal().parent_path().filename().string();
 }
 
@@ -29,47 +32,46 @@ std::string share(int part, int whole) {
   return whole == 0 ? "\u2013" : fmt::format("{} of {}", part, whole);
 }
 
-std::string held_text(const ResultFolder& result) {
-  const ClaimCount claims = claims_of(result);
+std::string held_text(const Results& results) {
+  const ClaimCount claims = claims_of(results);
   return share(claims.held, claims.held + claims.not_held);
 }
 
-std::string failed_text(const ResultFolder& result) {
-  const RunCount runs = runs_of(result);
-  return share(runs.failed, runs.runs);
+std::string failed_text(const Results& results) {
+  return share(failed_runs(results), static_cast<int>(results.runs.size()));
 }
 
-std::string table_html(const std::vector<ResultFolder>& results) {
+std::string table_html(const std::vector<ReportedResults>& all) {
   HtmlTable table{{"scenario", "question", "thesis", "claims held", "runs failed"}, {}};
-  for (const ResultFolder& result : results) {
-    const ClaimCount claims = claims_of(result);
+  for (const ReportedResults& result : all) {
+    const ClaimCount claims = claims_of(result.results);
     const std::string name = xml_escaped(place_of(result));
     table.rows.push_back(
         {{fmt::format("<a href=\"{0}/report.html\"><code>{0}</code></a>", name)},
-         text_cell(question_of(result) + (result.quick ? " (quick run)" : "")),
-         text_cell(result.thesis),
+         text_cell(question_of(result.results) + (result.results.quick ? " (quick run)" : "")),
+         text_cell(result.results.thesis),
          {fmt::format("<span class=\"{}\">{}</span>", claims.not_held == 0 ? "held" : "not-held",
-                      held_text(result))},
-         text_cell(failed_text(result))});
+                      held_text(result.results))},
+         text_cell(failed_text(result.results))});
   }
   return html_of(table);
 }
 
-std::string short_html(const ResultFolder& result) {
+std::string short_html(const ReportedResults& result) {
   const std::string name = xml_escaped(place_of(result));
   std::string html = fmt::format(
       "<section>\n<h2 id=\"{0}\">{1}</h2>\n<p class=\"note\"><a href=\"{0}/report.html\"><code>{2}"
       "</code></a>{3}</p>\n",
-      name, xml_escaped(question_of(result)), xml_escaped(result.id),
-      result.thesis.empty() ? "" : ", beside the thesis: " + xml_escaped(result.thesis));
-  html += badges_html(result) + claims_html(result);
-  if (!result.figures.empty()) {
-    html += "<div class=\"figures\">\n";
-    for (const NamedFile& figure : result.figures) {
-      html += "<figure>\n" + figure.content + "</figure>\n";
-    }
-    html += "</div>\n";
+      name, xml_escaped(question_of(result.results)), xml_escaped(result.results.id),
+      result.results.thesis.empty() ? ""
+                                    : ", beside the thesis: " + xml_escaped(result.results.thesis));
+  html += badges_html(result.results) + claims_html(result.results);
+  const std::vector<Picture> figures = figures_of(result.folder, result.results);
+  if (!figures.empty()) html += "<div class=\"figures\">\n";
+  for (const Picture& figure : figures) {
+    html += "<figure>\n" + read_text_file(result.folder + "/" + figure.path) + "</figure>\n";
   }
+  if (!figures.empty()) html += "</div>\n";
   return html + "</section>\n";
 }
 
@@ -83,33 +85,32 @@ std::string markdown(const std::string& text) {
   return result;
 }
 
-std::string short_markdown(const ResultFolder& result) {
+std::string short_markdown(const ReportedResults& result) {
   const std::string name = place_of(result);
-  std::string text =
-      fmt::format("\n## {}\n\n{}\n", markdown(result.id), markdown(question_of(result)));
-  if (result.claims.size() > 1) {
+  std::string text = fmt::format("\n## {}\n\n{}\n", markdown(result.results.id),
+                                 markdown(question_of(result.results)));
+  if (!result.results.verdicts.empty()) {
     text += "\n| claim | verdict | measured | thesis |\n| --- | --- | --- | --- |\n";
   }
-  for (std::size_t row = 1; row < result.claims.size(); ++row) {
-    const std::string held = field(result.claims, row, "held");
-    const char* verdict = held == "yes" ? "held" : held == "no" ? "**not held**" : "not judged";
-    text += fmt::format("| {} | {} | {} | {} |\n", markdown(field(result.claims, row, "claim")),
-                        verdict, markdown(field(result.claims, row, "measured")),
-                        markdown(field(result.claims, row, "thesis")));
+  for (const Verdict& v : result.results.verdicts) {
+    const char* verdict = !v.judged ? "not judged" : v.held ? "held" : "**not held**";
+    text += fmt::format("| {} | {} | {} | {} |\n", markdown(v.claim), verdict, markdown(v.measured),
+                        markdown(v.thesis));
   }
-  for (const NamedFile& figure : result.figures) {
-    text += fmt::format("\n![{}]({}/figures/{})\n", markdown(figure.name), name, figure.name);
+  for (const Picture& figure : figures_of(result.folder, result.results)) {
+    const std::string title = figure.title.empty() ? figure.path : figure.title;
+    text += fmt::format("\n![{}]({}/{})\n", markdown(title), name, figure.path);
   }
   return text;
 }
 
 }  // namespace
 
-std::string overview_page(const std::vector<ResultFolder>& results) {
+std::string overview_page(const std::vector<ReportedResults>& all) {
   HtmlPage page{.title = "Results \u2013 mapbed"};
   int held = 0, judged = 0;
-  for (const ResultFolder& result : results) {
-    const ClaimCount claims = claims_of(result);
+  for (const ReportedResults& result : all) {
+    const ClaimCount claims = claims_of(result.results);
     held += claims.held;
     judged += claims.held + claims.not_held;
   }
@@ -118,25 +119,25 @@ std::string overview_page(const std::vector<ResultFolder>& results) {
       "that "
       "did not are shown like those that did.</p>\n</header>\n<main>\n",
       held, judged);
-  page.body += table_html(results);
-  for (const ResultFolder& result : results) page.body += short_html(result);
+  page.body += table_html(all);
+  for (const ReportedResults& result : all) page.body += short_html(result);
   page.body += "</main>\n";
   return html_of(page);
 }
 
-std::string overview_markdown(const std::vector<ResultFolder>& results) {
+std::string overview_markdown(const std::vector<ReportedResults>& all) {
   std::string text =
       "# Results\n\nWritten by `mapbed report`. Each folder holds the complete configuration, the "
       "tables, the figures and what they were made with.\n\n"
       "| scenario | question | thesis | claims held | runs failed |\n"
       "| --- | --- | --- | --- | --- |\n";
-  for (const ResultFolder& result : results) {
-    text +=
-        fmt::format("| [{}]({}/) | {}{} | {} | {} | {} |\n", markdown(result.id), place_of(result),
-                    markdown(question_of(result)), result.quick ? " (quick run)" : "",
-                    markdown(result.thesis), held_text(result), failed_text(result));
+  for (const ReportedResults& result : all) {
+    text += fmt::format("| [{}]({}/) | {}{} | {} | {} | {} |\n", markdown(result.results.id),
+                        place_of(result), markdown(question_of(result.results)),
+                        result.results.quick ? " (quick run)" : "", markdown(result.results.thesis),
+                        held_text(result.results), failed_text(result.results));
   }
-  for (const ResultFolder& result : results) text += short_markdown(result);
+  for (const ReportedResults& result : all) text += short_markdown(result);
   return text;
 }
 
@@ -146,14 +147,14 @@ std::vector<std::string> write_reports(const std::string& folder) {
     write_file(path, text);
     written.push_back(path);
   };
-  std::vector<ResultFolder> results;
+  std::vector<ReportedResults> all;
   for (const std::string& path : result_folders(folder)) {
-    results.push_back(load_result_folder(path));
-    write((fs::path(path) / "report.html").string(), scenario_page(results.back()));
+    all.push_back({path, load_results(path)});
+    write((fs::path(path) / "report.html").string(), scenario_page(path, all.back().results));
   }
   if (is_result_folder(folder)) return written;
-  write((fs::path(folder) / "report.html").string(), overview_page(results));
-  write((fs::path(folder) / "README.md").string(), overview_markdown(results));
+  write((fs::path(folder) / "report.html").string(), overview_page(all));
+  write((fs::path(folder) / "README.md").string(), overview_markdown(all));
   return written;
 }
 

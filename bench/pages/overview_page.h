@@ -3,15 +3,20 @@
 #include <string>
 #include <vector>
 
-#include "bench/results/result_folder.h"
+#include "bench/results/results.h"
 
 namespace mapbed {
 
+struct ReportedResults {
+  std::string folder;
+  Results results;
+};
+
 // All results of a folder on one page: what was asked, which claims held, the figures.
-std::string overview_page(const std::vector<ResultFolder>& results);
+std::string overview_page(const std::vector<ReportedResults>& all);
 
 // The same for people who read the folder where Markdown is shown.
-std::string overview_markdown(const std::vector<ResultFolder>& results);
+std::string overview_markdown(const std::vector<ReportedResults>& all);
 
 // Of a folder of results: its page. Of a folder that holds such folders: the page of each, and
 // the overview as report.html and README.md. Gives the pages written. Throws InputError where there

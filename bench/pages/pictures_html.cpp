@@ -1,51 +1,46 @@
 #include "bench/pages/pictures_html.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "bench/pages/html.h"
 #include "bench/plot/svg_text.h"
+#include "bench/results/run_files.h"
+#include "core/file/text_file.h"
 #include "core/input_error.h"
 
 namespace mapbed {
 namespace {
 
+namespace fs = std::filesystem;
+
 std::string without_extension(const std::string& name) {
   return name.substr(0, name.rfind('.'));
 }
 
-// The values of the axes at a level, which the table of runs names: "rotation sigma 4 deg".
-std::string level_words(const ResultFolder& result, const std::string& level) {
-  for (std::size_t row = 1; row < result.runs.size(); ++row) {
-    if (field(result.runs, row, "level") != level) continue;
-    std::string words;
-    const CsvRow& head = result.runs.front();
-    const auto first = std::find(head.begin(), head.end(), "level");
-    for (auto axis = first + 1; axis != head.end() && *axis != "variant"; ++axis) {
-      words += (words.empty() ? "" : ", ") + axis->substr(axis->rfind('.') + 1) + " " +
-               field(result.runs, row, *axis);
-    }
-    return words;
-  }
-  return "level " + level;
+std::string content_of(const std::string& folder, const Picture& picture) {
+  return read_text_file((fs::path(folder) / picture.path).string());
 }
 
-// "map_level_2_raw.png" in words: "map, rotation sigma 4 deg, raw".
-std::string words_of(const std::string& file, const ResultFolder& result) {
-  std::string name = without_extension(file);
-  const std::string mark = "_level_";
-  const std::size_t at = name.find(mark);
-  if (at != std::string::npos) {
-    const std::size_t digits = at + mark.size();
-    const std::size_t end = std::min(name.find('_', digits), name.size());
-    const std::string level = level_words(result, name.substr(digits, end - digits));
-    name = name.substr(0, at) + ", " + level + (end < name.size() ? ", " : "") +
-           name.substr(std::min(end + 1, name.size()));
+// Of single runs, in that folder: "map, people 3, raw". Results are kept without their larger
+// files, too.
+std::vector<Picture> pictures_of_runs(const std::string& folder, const Results& results,
+                                      const std::string& inner, const std::string& extension) {
+  std::vector<Picture> pictures;
+  for (const FileOfRun& file : results.files) {
+    const bool is_one = file.path.starts_with(inner + "/") && file.path.ends_with(extension);
+    if (!is_one || !fs::exists(fs::path(folder) / file.path)) continue;
+    const auto run = std::find_if(results.runs.begin(), results.runs.end(),
+                                  [&](const RunRow& row) { return row.run == file.run; });
+    const std::string words = run == results.runs.end() ? "" : run_words(results, *run);
+    const bool has_both = !file.title.empty() && !words.empty();
+    pictures.push_back({file.path, file.title + (has_both ? ", " : "") + words});
   }
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
+  std::sort(pictures.begin(), pictures.end(),
+            [](const Picture& a, const Picture& b) { return in_natural_order(a.path, b.path); });
+  return pictures;
 }
 
 constexpr const char* kPlayer = R"(<div class="replay">
@@ -74,41 +69,52 @@ std::string in_script(const std::string& json) {
 
 }  // namespace
 
-std::string figures_html(const ResultFolder& result) {
+std::vector<Picture> figures_of(const std::string& folder, const Results& results) {
+  std::vector<Picture> figures;
+  for (const PlotSpec& plot : results.plots) {
+    const std::string path = "figures/" + plot.file + ".svg";
+    if (fs::exists(fs::path(folder) / path)) figures.push_back({path, plot.title});
+  }
+  const std::vector<Picture> of_runs = pictures_of_runs(folder, results, "figures", ".svg");
+  figures.insert(figures.end(), of_runs.begin(), of_runs.end());
+  return figures;
+}
+
+std::string figures_html(const std::string& folder, const Results& results) {
   std::string html;
-  for (const NamedFile& figure : result.figures) {
-    const std::string base = "figures/" + without_extension(figure.name);
+  for (const Picture& figure : figures_of(folder, results)) {
     html += fmt::format(
         "<figure>\n{0}<figcaption>Files: <a href=\"{1}.svg\">picture</a>, "
         "<a href=\"{1}.csv\">numbers</a></figcaption></figure>\n",
-        figure.content, xml_escaped(base));
+        content_of(folder, figure), xml_escaped(without_extension(figure.path)));
   }
   return html.empty() ? "" : "<div class=\"figures\">\n" + html + "</div>\n";
 }
 
-std::string maps_html(const ResultFolder& result) {
+std::string maps_html(const std::string& folder, const Results& results) {
   std::string html;
-  for (const NamedFile& map : result.maps) {
-    const std::string name = xml_escaped(words_of(map.name, result));
+  for (const Picture& map : pictures_of_runs(folder, results, "maps", ".png")) {
+    const std::string title = xml_escaped(map.title);
     html += fmt::format(
         "<figure><img src=\"{}\" alt=\"Map: {}\" loading=\"lazy\"><figcaption>{}"
         "</figcaption></figure>\n",
-        png_address(map.content), name, name);
+        png_address(content_of(folder, map)), title, title);
   }
   return html.empty() ? "" : "<div class=\"figures\">\n" + html + "</div>\n";
 }
 
-std::string replays_html(const ResultFolder& result) {
+std::string replays_html(const std::string& folder, const Results& results) {
   std::string html;
-  for (const NamedFile& file : result.replays) {
-    const auto json = nlohmann::json::parse(file.content, nullptr, false);
+  for (const Picture& replay : pictures_of_runs(folder, results, "replays", ".json")) {
+    const std::string content = content_of(folder, replay);
+    const auto json = nlohmann::json::parse(content, nullptr, false);
     if (!json.is_object()) {
-      throw InputError({result.folder + "/replays/" + file.name},
-                       "is no replay: not a JSON object");
+      throw InputError({(fs::path(folder) / replay.path).string()},
+                       "is not a replay: not a JSON object");
     }
     const std::string title = json.value("title", "");
-    const std::string name = words_of(file.name, result);  // says level and variant
-    html += "<h3>" + xml_escaped(title.empty() ? name : title + ": " + name) + "</h3>\n";
+    html += "<h3>" + xml_escaped(title.empty() ? replay.title : title + ": " + replay.title) +
+            "</h3>\n";
     html += kPlayer;
     if (json.contains("truth")) html += check_box("truth", "true path", "#009e73");
     if (json.contains("estimate")) html += check_box("estimate", "estimate", "#0072b2");
@@ -116,8 +122,8 @@ std::string replays_html(const ResultFolder& result) {
     if (json.contains("scans")) html += check_box("scan", "scan", "#d55e00");
     if (json.contains("others")) html += check_box("people", "people and doors", "#cc79a7");
     if (json.contains("map")) html += check_box("map", "map", "#777777");
-    html += "</div>\n<script type=\"application/json\">" + in_script(file.content) +
-            "</script>\n</div>\n";
+    html +=
+        "</div>\n<script type=\"application/json\">" + in_script(content) + "</script>\n</div>\n";
   }
   return html;
 }

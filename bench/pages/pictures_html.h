@@ -1,14 +1,25 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "bench/results/result_folder.h"
+#include "bench/results/results.h"
 
 namespace mapbed {
 
+// A picture of a result, as far as its file is there.
+struct Picture {
+  std::string path;   // below the result's folder: "figures/error.svg"
+  std::string title;  // "Error over noise"; with the run that it is of: "map, people 3, raw"
+};
+
+// The scenario's own plots, in its order, then those of single runs as people sort them.
+std::vector<Picture> figures_of(const std::string& folder, const Results& results);
+
 // The pictures of a result as parts of its page; empty where it has none.
-std::string figures_html(const ResultFolder& result);
-std::string maps_html(const ResultFolder& result);
-std::string replays_html(const ResultFolder& result);  // with their controls; throws InputError
+std::string figures_html(const std::string& folder, const Results& results);
+std::string maps_html(const std::string& folder, const Results& results);
+// With their controls; throws InputError.
+std::string replays_html(const std::string& folder, const Results& results);
 
 }  // namespace mapbed

@@ -4,8 +4,10 @@
 
 #include "bench/pages/html.h"
 #include "bench/pages/overview_page.h"
+#include "bench/pages/pictures_html.h"
 #include "bench/pages/scenario_page.h"
 #include "bench/pages/testing/example_results.h"
+#include "bench/results/result_folder.h"
 #include "core/file/text_file.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
@@ -28,7 +30,10 @@ std::size_t count(const std::string& text, const std::string& part) {
 class ReportPage : public ::testing::Test {
  protected:
   ReportPage() { make_example_results(folder_.file("example")); }
-  std::string page() const { return scenario_page(load_result_folder(folder_.file("example"))); }
+  std::string page() const {
+    const std::string folder = folder_.file("example");
+    return scenario_page(folder, load_results(folder));
+  }
   TemporaryFolder folder_;
 };
 
@@ -65,23 +70,30 @@ TEST_F(ReportPage, NeedsNothingFromElsewhere) {
   EXPECT_EQ(count(html, "<canvas"), 1u);
 }
 
-TEST_F(ReportPage, SaysInWordsWhatAMapIsOf) {
-  std::filesystem::rename(folder_.file("example/maps/on.png"),
-                          folder_.file("example/maps/map_level_1_filter_on.png"));
-  EXPECT_THAT(page(), HasSubstr("<figcaption>map, rotation sigma 16 deg, filter on</figcaption>"));
+TEST_F(ReportPage, SaysInWordsWhatAMapAndAReplayAreOf) {
+  EXPECT_THAT(page(), HasSubstr("<figcaption>map, rotation sigma 16 deg, off</figcaption>"));
+  EXPECT_THAT(page(), HasSubstr("<h3>seed 7 &lt;/script&gt;: rotation sigma 0 deg, off</h3>"));
+}
+
+TEST_F(ReportPage, FindsThePicturesOfOlderResultsByTheirNames) {
+  std::filesystem::remove(folder_.file("example/files.csv"));
+  EXPECT_THAT(page(), HasSubstr("<figcaption>map, rotation sigma 16 deg, off</figcaption>"));
 }
 
 TEST_F(ReportPage, ShowsTheScenariosPlotsFirstAndThenSingleRunsAsPeopleSort) {
   const std::string folder = folder_.file("example");
+  Results results = load_results(folder);
+  results.plots = {{.file = "success"}, {.file = "error"}, {.file = "not_drawn"}};
+  results.files = {{"figures/after_130_s.svg", 0, ""},
+                   {"figures/after_90_s.svg", 0, ""},
+                   {"figures/not_kept.svg", 0, ""}};
   for (const char* name : {"after_130_s", "after_90_s", "success"}) {
     write_text_file(folder + "/figures/" + name + ".svg", "<svg/>");
   }
-  write_text_file(folder + "/config.yaml",
-                  "scenario:\n  plots:\n    - {file: success}\n    - {file: error}\n");
-  std::vector<std::string> names;
-  for (const NamedFile& figure : load_result_folder(folder).figures) names.push_back(figure.name);
-  EXPECT_THAT(names, ElementsAre("success.svg", "error.svg", "after_90_s.svg", "after_130_s.svg",
-                                 "heat.svg"));
+  std::vector<std::string> paths;
+  for (const Picture& figure : figures_of(folder, results)) paths.push_back(figure.path);
+  EXPECT_THAT(paths, ElementsAre("figures/success.svg", "figures/error.svg",
+                                 "figures/after_90_s.svg", "figures/after_130_s.svg"));
 }
 
 TEST_F(ReportPage, ComesWithoutTheReplayPlayerWhereThereIsNoReplay) {
@@ -98,7 +110,7 @@ TEST_F(ReportPage, OfAllResultsLinksThePageOfEach) {
   const std::string markdown = read_text_file(folder_.file("README.md"));
   EXPECT_THAT(markdown, HasSubstr("| [example](example/) | Does \\<b\\> & a question pass through? "
                                   "| Figure 3.10 | 1 of 2 | 1 of 2 |"));
-  EXPECT_THAT(markdown, HasSubstr("![error.svg](example/figures/error.svg)"));
+  EXPECT_THAT(markdown, HasSubstr("![Error over noise](example/figures/error.svg)"));
 }
 
 TEST_F(ReportPage, TheSameResultsAreTheSamePage) {
@@ -108,11 +120,11 @@ TEST_F(ReportPage, TheSameResultsAreTheSamePage) {
 TEST_F(ReportPage, RefusesFoldersWithoutResultsAndDamagedFiles) {
   EXPECT_INPUT_ERROR(write_reports(folder_.file("nowhere")), "there is no such folder");
   EXPECT_INPUT_ERROR(write_reports(folder_.file("example/maps")), "holds no results");
-  EXPECT_INPUT_ERROR(load_result_folder(folder_.file("")), "make one with 'mapbed run SCENARIO'");
-  write_text_file(folder_.file("example/replays/bad.json"), "[1,");
-  EXPECT_INPUT_ERROR(page(), "bad.json");
+  EXPECT_INPUT_ERROR(load_results(folder_.file("")), "make one with 'mapbed run SCENARIO'");
+  write_text_file(folder_.file("example/replays/run_level_0_off.json"), "[1,");
+  EXPECT_INPUT_ERROR(page(), "run_level_0_off.json: is not a replay");
   write_text_file(folder_.file("example/summary.csv"), "a,b\n1\n");
-  EXPECT_INPUT_ERROR(load_result_folder(folder_.file("example")), "summary.csv:2");
+  EXPECT_INPUT_ERROR(load_results(folder_.file("example")), "summary.csv:2");
 }
 
 }  // namespace

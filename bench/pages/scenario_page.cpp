@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -10,6 +9,8 @@
 #include "bench/pages/pictures_html.h"
 #include "bench/plot/axis.h"
 #include "bench/plot/svg_text.h"
+#include "core/config/quantity.h"
+#include "core/file/csv_file.h"
 
 namespace mapbed {
 namespace {
@@ -18,64 +19,55 @@ std::string section(const std::string& title, const std::string& html) {
   return html.empty() ? "" : "<section>\n<h2>" + title + "</h2>\n" + html + "</section>\n";
 }
 
-std::string skipped_html(const ResultFolder& result) {
+std::string skipped_html(const Results& results) {
   std::string html;
-  for (const std::string& line : result.skipped) {
+  for (const std::string& line : results.skipped) {
     html += "<p class=\"note\">Left out: " + xml_escaped(line) + ".</p>\n";
   }
   return html;
 }
 
-double shown(double value, const std::string& unit) {
-  return unit.starts_with("rad") ? value * 180.0 / std::numbers::pi : value;
+HtmlCell interval_cell(const SummaryRow& row, Unit unit) {
+  if (std::isnan(row.low) || std::isnan(row.high)) return {"\u2013", "", true};
+  const double low = displayed(row.low, unit);
+  return {number_text(low, 4) + " to " + number_text(displayed(row.high, unit), 4), csv_number(low),
+          true};
 }
 
-std::string shown_unit(const std::string& unit) {
-  return unit.starts_with("rad") ? "deg" + unit.substr(3) : unit;
-}
-
-bool one_of(const std::string& name, std::initializer_list<const char*> names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-// A column of summary.csv as people read it: the interval in one cell, angles in degrees.
-HtmlCell summary_cell(const CsvTable& table, std::size_t row, const std::string& column) {
-  const std::string text = field(table, row, column);
-  const std::string unit = field(table, row, "unit");
-  if (column == "unit") return text_cell(shown_unit(text));
-  if (one_of(column, {"runs", "failed", "missing"})) {
-    return number_cell(parse_csv_number(text), 9);
+// A line of the table of numbers as people read it: angles in degrees.
+std::vector<HtmlCell> summary_cells(const Results& results, const SummaryRow& row) {
+  const Metric& metric = results.metrics[static_cast<std::size_t>(row.metric)];
+  const Level& level = results.levels[static_cast<std::size_t>(row.level)];
+  std::vector<HtmlCell> cells;
+  for (std::size_t i = 0; i < results.axes.size(); ++i) {
+    cells.push_back(text_cell(results.axes[i].texts[static_cast<std::size_t>(level.choice[i])]));
   }
-  const double value = shown(parse_csv_number(text), unit);
-  if (column == "low") {
-    const double high = shown(parse_csv_number(field(table, row, "high")), unit);
-    if (std::isnan(value) || std::isnan(high)) return {"\u2013", "", true};
-    return {number_text(value, 4) + " to " + number_text(high, 4), csv_number(value), true};
+  cells.push_back(text_cell(results.variants[static_cast<std::size_t>(row.variant)]));
+  cells.push_back(text_cell(words_of(metric.name)));
+  cells.push_back(text_cell(display_symbol(metric.unit)));
+  for (const int count : {row.runs, row.failed, row.missing}) {
+    cells.push_back(number_cell(count, 9));
   }
-  if (one_of(column, {"mean", "median", "min", "max"})) return number_cell(value);
-  std::string words = text;
-  if (column == "metric") std::replace(words.begin(), words.end(), '_', ' ');
-  return text_cell(words);
+  cells.push_back(number_cell(displayed(row.mean, metric.unit)));
+  cells.push_back(interval_cell(row, metric.unit));
+  for (const double value : {row.median, row.min, row.max}) {
+    cells.push_back(number_cell(displayed(value, metric.unit)));
+  }
+  return cells;
 }
 
 constexpr std::size_t kLongestOpenTable = 40;  // rows; what follows should not lie a mile below
 
-std::string summary_html(const ResultFolder& result) {
-  if (result.summary.size() < 2) return "";
+std::string summary_html(const Results& results) {
+  if (results.summary.empty()) return "";
   HtmlTable table;
-  std::vector<std::string> columns;
-  for (const std::string& column : result.summary.front()) {
-    if (column == "high" || column == "level") continue;
-    columns.push_back(column);
-    std::string name = column.substr(column.rfind('.') + 1);  // of an axis, without its path
-    std::replace(name.begin(), name.end(), '_', ' ');
-    table.head.push_back(column == "low" ? "95 % interval" : name);
+  for (const SweepAxis& axis : results.axes) table.head.push_back(words_of(axis.path));
+  for (const char* name : {"variant", "metric", "unit", "runs", "failed", "missing", "mean",
+                           "95 % interval", "median", "min", "max"}) {
+    table.head.push_back(name);
   }
-  for (std::size_t row = 1; row < result.summary.size(); ++row) {
-    std::vector<HtmlCell>& cells = table.rows.emplace_back();
-    for (const std::string& column : columns) {
-      cells.push_back(summary_cell(result.summary, row, column));
-    }
+  for (const SummaryRow& row : results.summary) {
+    table.rows.push_back(summary_cells(results, row));
   }
   const std::string html =
       "<p class=\"note\">Over all runs of a level that have a value; the interval of the mean is "
@@ -86,40 +78,35 @@ std::string summary_html(const ResultFolder& result) {
   return folded(fmt::format("All {} rows", table.rows.size()), html);
 }
 
-std::string failures_html(const ResultFolder& result) {
+std::string failures_html(const Results& results) {
   HtmlTable table{{"run", "seed", "level", "variant", "why it failed"}, {}};
-  for (std::size_t row = 1; row < result.runs.size(); ++row) {
-    const std::string failure = field(result.runs, row, "failure");
-    if (failure.empty()) continue;
-    std::vector<HtmlCell>& cells = table.rows.emplace_back();
-    for (const char* column : {"run", "seed", "level"}) {
-      cells.push_back(
-          {xml_escaped(field(result.runs, row, column)), field(result.runs, row, column), true});
-    }
-    cells.push_back(text_cell(field(result.runs, row, "variant")));
-    cells.push_back(text_cell(failure));
+  const auto whole = [](auto number) {
+    const std::string text = fmt::to_string(number);
+    return HtmlCell{text, text, true};
+  };
+  for (const RunRow& run : results.runs) {
+    if (run.failure.empty()) continue;
+    table.rows.push_back({whole(run.run), whole(run.seed), whole(run.level),
+                          text_cell(results.variants[static_cast<std::size_t>(run.variant)]),
+                          text_cell(run.failure)});
   }
   return table.rows.empty() ? "" : html_of(table);
 }
 
-std::string cost_html(const ResultFolder& result) {
-  if (result.cost.size() < 2) return "";
+std::string cost_html(const Results& results) {
+  if (results.costs.empty()) return "";
   double seconds = 0.0, recording = 0.0, method = 0.0, recorded = 0.0, memory = 0.0;
-  const auto number = [&](std::size_t row, const char* column) {
-    const double value = parse_csv_number(field(result.cost, row, column));
-    return std::isnan(value) ? 0.0 : value;
-  };
-  for (std::size_t row = 1; row < result.cost.size(); ++row) {
-    seconds += number(row, "seconds");
-    recording += number(row, "recording_seconds");
-    method += number(row, "method_seconds");
-    recorded += number(row, "recorded_seconds");
-    memory = std::max(memory, number(row, "peak_memory_bytes"));
+  for (const CostRow& cost : results.costs) {
+    seconds += cost.seconds;
+    recording += cost.recording_seconds;
+    method += cost.method_seconds;
+    recorded += cost.recorded_seconds;
+    memory = std::max(memory, cost.peak_memory);
   }
   std::string text = fmt::format(
       "<p>{} runs took {} s of processor time and {} s for their recordings; at most {} MB of "
       "memory were in use.",
-      result.cost.size() - 1, number_text(seconds), number_text(recording),
+      results.costs.size(), number_text(seconds), number_text(recording),
       number_text(memory / 1e6));
   if (seconds > 0.0 && recorded > 0.0) {
     text += fmt::format(" The logs last {} s: {} times as long as the runs took.",
@@ -132,39 +119,51 @@ std::string cost_html(const ResultFolder& result) {
   return text + "</p>\n";
 }
 
-std::string origin_html(const ResultFolder& result) {
-  std::string html = cost_html(result);
-  if (!result.config.empty()) html += folded("Configuration", preformatted(result.config));
-  if (!result.provenance.empty()) html += folded("Provenance", preformatted(result.provenance));
+std::string origin_html(const Results& results) {
+  std::string html = cost_html(results);
+  if (!results.config_yaml.empty()) {
+    html += folded("Configuration", preformatted(results.config_yaml));
+  }
+  if (!results.provenance_json.empty()) {
+    html += folded("Provenance", preformatted(results.provenance_json));
+  }
   return html;
 }
 
 }  // namespace
 
-std::string claims_html(const ResultFolder& result) {
-  if (result.claims.size() < 2) return "";
+ClaimCount claims_of(const Results& results) {
+  ClaimCount count;
+  for (const Verdict& verdict : results.verdicts) {
+    ++(!verdict.judged ? count.not_judged : verdict.held ? count.held : count.not_held);
+  }
+  return count;
+}
+
+int failed_runs(const Results& results) {
+  return static_cast<int>(std::count_if(results.runs.begin(), results.runs.end(),
+                                        [](const RunRow& run) { return !run.failure.empty(); }));
+}
+
+std::string claims_html(const Results& results) {
+  if (results.verdicts.empty()) return "";
   std::string html =
       "<table class=\"claims\">\n<thead><tr><th>Claim</th><th>Verdict</th>"
       "<th>Measured</th><th>Thesis</th></tr></thead>\n<tbody>\n";
-  for (std::size_t row = 1; row < result.claims.size(); ++row) {
-    const auto text = [&](const char* column) {
-      return xml_escaped(field(result.claims, row, column));
-    };
-    const std::string held = field(result.claims, row, "held");
-    const std::string verdict = held == "yes"  ? "<span class=\"held\">\u2713 held</span>"
-                                : held == "no" ? "<span class=\"not-held\">\u2717 not held</span>"
-                                               : "<span class=\"not-judged\">not judged</span>";
+  for (const Verdict& v : results.verdicts) {
+    const std::string verdict = !v.judged ? "<span class=\"not-judged\">not judged</span>"
+                                : v.held  ? "<span class=\"held\">\u2713 held</span>"
+                                          : "<span class=\"not-held\">\u2717 not held</span>";
     html += fmt::format(
         "<tr><td>{}</td><td>{}</td><td data-name=\"Measured\">{}</td>"
         "<td data-name=\"Thesis\">{}</td></tr>\n",
-        text("claim"), verdict, text("measured"), text("thesis"));
+        xml_escaped(v.claim), verdict, xml_escaped(v.measured), xml_escaped(v.thesis));
   }
   return "<div class=\"wide\">" + html + "</tbody>\n</table></div>\n";
 }
 
-std::string badges_html(const ResultFolder& result) {
-  const ClaimCount claims = claims_of(result);
-  const RunCount runs = runs_of(result);
+std::string badges_html(const Results& results) {
+  const ClaimCount claims = claims_of(results);
   std::string html = "<ul class=\"badges\">\n";
   const auto badge = [&](const std::string& text) { html += "<li>" + text + "</li>\n"; };
   const int judged = claims.held + claims.not_held;
@@ -173,27 +172,30 @@ std::string badges_html(const ResultFolder& result) {
                       claims.not_held == 0 ? "held" : "not-held", claims.held, judged));
   }
   if (claims.not_judged > 0) badge(fmt::format("{} not judged", claims.not_judged));
-  if (runs.runs > 0) badge(fmt::format("{} of {} runs failed", runs.failed, runs.runs));
-  if (result.quick) badge("quick run: a reduced version, not the result");
+  if (!results.runs.empty()) {
+    badge(fmt::format("{} of {} runs failed", failed_runs(results), results.runs.size()));
+  }
+  if (results.quick) badge("quick run: a reduced version, not the result");
   return html + "</ul>\n";
 }
 
-std::string scenario_page(const ResultFolder& result) {
-  HtmlPage page{.title = result.id + " \u2013 mapbed", .with_replay = !result.replays.empty()};
-  const std::string question = result.about.empty() ? result.id : result.about;
+std::string scenario_page(const std::string& folder, const Results& results) {
+  const std::string replays = replays_html(folder, results);
+  HtmlPage page{.title = results.id + " \u2013 mapbed", .with_replay = !replays.empty()};
+  const std::string question = results.about.empty() ? results.id : results.about;
   page.body = fmt::format("<header>\n<p class=\"kind\">Scenario <code>{}</code></p>\n<h1>{}</h1>\n",
-                          xml_escaped(result.id), xml_escaped(question));
-  if (!result.thesis.empty()) {
-    page.body += "<p>Stands beside the thesis: " + xml_escaped(result.thesis) + "</p>\n";
+                          xml_escaped(results.id), xml_escaped(question));
+  if (!results.thesis.empty()) {
+    page.body += "<p>Stands beside the thesis: " + xml_escaped(results.thesis) + "</p>\n";
   }
-  page.body += badges_html(result) + skipped_html(result) + "</header>\n<main>\n";
-  page.body += section("Claims", claims_html(result));
-  page.body += section("Figures", figures_html(result));
-  page.body += section("Maps", maps_html(result));
-  page.body += section("Replay", replays_html(result));
-  page.body += section("Numbers", summary_html(result));
-  page.body += section("Failed runs", failures_html(result));
-  page.body += section("How it was made", origin_html(result));
+  page.body += badges_html(results) + skipped_html(results) + "</header>\n<main>\n";
+  page.body += section("Claims", claims_html(results));
+  page.body += section("Figures", figures_html(folder, results));
+  page.body += section("Maps", maps_html(folder, results));
+  page.body += section("Replay", replays);
+  page.body += section("Numbers", summary_html(results));
+  page.body += section("Failed runs", failures_html(results));
+  page.body += section("How it was made", origin_html(results));
   page.body += "</main>\n";
   return html_of(page);
 }

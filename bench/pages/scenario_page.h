@@ -2,16 +2,26 @@
 
 #include <string>
 
-#include "bench/results/result_folder.h"
+#include "bench/results/results.h"
 
 namespace mapbed {
 
 // The page of one scenario: the question, the claims with the thesis beside them, figures, maps,
-// replays, all numbers, and what they were made with. One file that needs no network.
-std::string scenario_page(const ResultFolder& result);
+// replays, all numbers, and what they were made with. One file that needs no network. Pictures are
+// read from `folder`.
+std::string scenario_page(const std::string& folder, const Results& results);
+
+// "2 of 3" of a page's figures.
+struct ClaimCount {
+  int held = 0;
+  int not_held = 0;
+  int not_judged = 0;
+};
+ClaimCount claims_of(const Results& results);
+int failed_runs(const Results& results);
 
 // Parts that the overview shows too.
-std::string claims_html(const ResultFolder& result);
-std::string badges_html(const ResultFolder& result);
+std::string claims_html(const Results& results);
+std::string badges_html(const Results& results);
 
 }  // namespace mapbed

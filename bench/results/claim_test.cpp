@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "bench/results/claim_check.h"
+#include "bench/results/judge.h"
 #include "bench/results/summary.h"
 
 namespace mapbed {
@@ -30,7 +32,7 @@ Results results_of(const std::vector<std::vector<double>>& a,
   return results;
 }
 
-ClaimResult judged(const std::string& yaml, const Results& results) {
+Verdict judged(const std::string& yaml, const Results& results) {
   const Claim claim = claim_of(parse_config(yaml, {"x.yaml", 1}));
   check_claim(claim, results);
   return judge(claim, results);
@@ -48,14 +50,14 @@ TEST(Claim, HoldsWhereItDoesAtEveryLevel) {
 
 TEST(Claim, TellsTheWorstLevel) {
   const Results results = results_of({{1}, {2}, {5}}, {{2}, {3}, {4}});
-  const ClaimResult result = judged("{metric: error, of: a, at_most: b}", results);
+  const Verdict result = judged("{metric: error, of: a, at_most: b}", results);
   EXPECT_EQ(result.measured, "worst at x = 3: 5 m against 4 m; 2 of 3 hold");
   EXPECT_EQ(result.claim, "error of 'a' is at most that of 'b', at every level");
 }
 
 TEST(Claim, ARunWithoutAValueSpeaksAgainstIt) {
   const Results results = results_of({{1, kNone}, {1, 1}, {1, 1}}, {{2, 2}, {2, 2}, {2, 2}});
-  const ClaimResult result = judged("{metric: error, of: a, at_most: 9 m}", results);
+  const Verdict result = judged("{metric: error, of: a, at_most: 9 m}", results);
   EXPECT_FALSE(result.held);
   EXPECT_THAT(result.measured, ::testing::HasSubstr("1 runs without a value"));
 }
@@ -63,7 +65,7 @@ TEST(Claim, ARunWithoutAValueSpeaksAgainstIt) {
 TEST(Claim, IsNotJudgedWhereTheQuickRunHasNoSuchLevel) {
   Results results = results_of({{1}, {1}, {1}}, {{2}, {2}, {2}});
   results.quick = true;
-  const ClaimResult result = judged("{metric: error, below: 9 m, at: {x: 7}}", results);
+  const Verdict result = judged("{metric: error, below: 9 m, at: {x: 7}}", results);
   EXPECT_FALSE(result.judged);
   EXPECT_FALSE(result.held);
 }
@@ -72,12 +74,12 @@ TEST(Claim, IsNotJudgedWhereTheQuickRunIsTooShortForAValue) {
   Results results = results_of({{1}, {1}, {kNone}}, {{2}, {2}, {2}});
   EXPECT_TRUE(judged("{metric: error, of: a, below: 9 m}", results).judged);
   results.quick = true;
-  const ClaimResult result = judged("{metric: error, of: a, below: b}", results);
+  const Verdict result = judged("{metric: error, of: a, below: b}", results);
   EXPECT_FALSE(result.judged);
   EXPECT_FALSE(result.held);
   EXPECT_THAT(result.measured, ::testing::HasSubstr("2 of 3 hold, 1 without a value"));
   // Where it fails, it does so whatever the rest would say.
-  const ClaimResult fails = judged("{metric: error, of: a, above: b}", results);
+  const Verdict fails = judged("{metric: error, of: a, above: b}", results);
   EXPECT_TRUE(fails.judged);
   EXPECT_FALSE(fails.held);
 }
@@ -87,14 +89,14 @@ TEST(Claim, AFailedRunCountsInAQuickRunToo) {
   results.quick = true;
   results.runs[4].failure = "no match";  // of a, at the third level
   results.summary = summarise(results);
-  const ClaimResult result = judged("{metric: error, of: a, below: b}", results);
+  const Verdict result = judged("{metric: error, of: a, below: b}", results);
   EXPECT_TRUE(result.judged);
   EXPECT_FALSE(result.held);
 }
 
 TEST(Claim, SkippedRunsSayNothing) {
   Results results = results_of({{1}, {1}, {}}, {{2}, {2}, {}});
-  const ClaimResult result = judged("{metric: error, of: a, below: b, test: sign}", results);
+  const Verdict result = judged("{metric: error, of: a, below: b, test: sign}", results);
   EXPECT_FALSE(result.judged);
   EXPECT_FALSE(judged("{metric: error, of: a, above: b, at: {x: 1}}", results).held);
   EXPECT_TRUE(judged("{metric: error, of: a, below: b, at: {x: 1}}", results).held);
@@ -114,6 +116,21 @@ TEST(Claim, ASignTestNeedsEnoughPairs) {
   EXPECT_FALSE(judged("{metric: error, of: a, below: b, test: sign, at: {x: 1}}",
                       results_of({{1, 1}, {1, 1}, {1, 1}}, {{2, 2}, {2, 2}, {2, 2}}))
                    .held);  // 1/4
+}
+
+TEST(Claim, IsWrittenAsItIsRead) {
+  for (const char* yaml :
+       {"{metric: error, at_most: 2 m}",
+        "{metric: error, of: 'a, b', statistic: max, below: 'c: d', times: 0.1, at: upper half}",
+        "{metric: error, equals: 0.7, within: 1e-9, at: {a.x: 70, y: 'b, c'}, thesis: 'so: so'}",
+        "{metric: error, of: a, above: b, against_metric: turn, test: sign}",
+        "{series: error, take: first, at_least: 1 m}",
+        "{series: error, at: {time: 10 s}, at_least: 1 m}"}) {
+    const std::string text = claim_text(claim_of(parse_config(yaml, {"x.yaml", 1})));
+    EXPECT_EQ(claim_text(claim_of(parse_config(text, {"x.yaml", 1}))), text);
+  }
+  EXPECT_EQ(claim_text(claim_of(parse_config("{of: a, below: 2 m, metric: e, at: {x: 1}}", {}))),
+            "{metric: e, of: a, below: 2 m, at: {x: 1}}");
 }
 
 }  // namespace

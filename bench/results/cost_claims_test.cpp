@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "bench/results/claim_check.h"
+#include "bench/results/judge.h"
 #include "core/testing/throws_input_error.h"
 
 namespace mapbed {
@@ -19,12 +21,14 @@ Results two_runs() {
   return results;
 }
 
-ClaimResult judged(const std::string& yaml) {
+Verdict judged(const std::string& yaml) {
   const Claim claim = claim_of(parse_config(yaml, {"x.yaml", 1}));
   EXPECT_TRUE(is_about_cost(claim));
-  const Results costs = with_costs_as_metrics(two_runs());
-  check_claim(claim, costs);
-  return judge(claim, costs);
+  const Results results = two_runs();
+  check_claim(claim, results);
+  const Verdict verdict = judge(claim, results);
+  EXPECT_TRUE(verdict.of_cost);
+  return verdict;
 }
 
 TEST(CostClaims, CompareVariantsAndNumbers) {

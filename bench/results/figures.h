@@ -8,9 +8,9 @@
 
 namespace mapbed {
 
-// One of a scenario's plots, from its summary (lines, bars) or its runs (points). Lines and bars
-// show means with their 95 % intervals; failed runs are counted in the subtitle. Angles are shown
-// in degrees.
+// One of a scenario's plots, from its summary (lines, bars), its runs (points) or their series.
+// Lines and bars show means with their 95 % intervals; failed runs are counted in the subtitle.
+// Angles are shown in degrees.
 Plot figure_of(const Results& results, const PlotSpec& spec);
 
 // The same of a plot of that kind: means as colours.

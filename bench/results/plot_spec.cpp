@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bench/results/flow_text.h"
+#include "bench/results/results.h"
 #include "core/config/quantity.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
@@ -10,7 +11,7 @@
 namespace mapbed {
 namespace {
 
-const std::vector<std::string> kKinds{"lines", "bars", "points", "heat_map"};
+const std::vector<std::string> kKinds{"lines", "bars", "points", "heat_map", "series"};
 
 using Names = std::vector<std::string>;
 
@@ -70,15 +71,30 @@ void check_heat_map(const PlotSpec& plot, const Results& plan) {
   }
 }
 
-}  // namespace
+void check_references(const PlotSpec& plot, Unit unit) {
+  for (const PlotReference& reference : plot.references) {
+    (void)parse_quantity(reference.value, unit, plot.place);
+  }
+}
 
-PlotSpec plot_of(const ConfigNode& node) {
-  PlotSpec plot;
-  plot.place = node.place();
-  const auto read = [&node](const char* key, std::string& text) {
-    if (const ConfigNode* found = node.find(key)) text = found->text();
-  };
-  read("x", plot.x);
+// Along x is what the series itself goes over.
+void check_series(const PlotSpec& plot, const Results& plan) {
+  Names names;
+  for (const SeriesMetric& metric : plan.series_metrics) names.push_back(metric.name);
+  check_name(plot, plot.y, names, "not a series of this scenario");
+  const SeriesMetric& metric =
+      plan.series_metrics[static_cast<std::size_t>(series_index(plan, plot.y))];
+  check_name(plot, plot.x, {metric.x_name}, "not what the series goes over");
+  check_references(plot, metric.unit);
+}
+
+void read(const ConfigNode& node, const char* key, std::string& text) {
+  if (const ConfigNode* found = node.find(key)) text = found->text();
+}
+
+// What is shown of what, and the file that it is called by.
+void read_data(const ConfigNode& node, PlotSpec& plot) {
+  read(node, "x", plot.x);
   if (plot.x.empty()) plot.kind = PlotKind::bars;
   if (const ConfigNode* kind = node.find("kind")) {
     plot.kind = static_cast<PlotKind>(kind->choice(kKinds));
@@ -90,13 +106,29 @@ PlotSpec plot_of(const ConfigNode& node) {
   }
   plot.y = node.at("y").text();
   plot.file = is_heat_map ? plot.value : plot.y;
-  read("file", plot.file);
-  read("title", plot.title);
-  read("lines_by", plot.lines_by);
-  read("x_label", plot.x_label);
-  read("y_label", plot.y_label);
-  read("value_label", plot.value_label);
-  read("thesis", plot.thesis);
+  read(node, "file", plot.file);
+  read(node, "lines_by", plot.lines_by);
+  if (plot.file.find_first_of("/\\ ") != std::string::npos) {
+    throw InputError(node.place(), in_quotes(plot.file) + " is not a name for a picture",
+                     "use letters, digits and '_'");
+  }
+}
+
+void read_words(const ConfigNode& node, PlotSpec& plot) {
+  read(node, "title", plot.title);
+  read(node, "x_label", plot.x_label);
+  read(node, "y_label", plot.y_label);
+  read(node, "value_label", plot.value_label);
+  read(node, "thesis", plot.thesis);
+}
+
+}  // namespace
+
+PlotSpec plot_of(const ConfigNode& node) {
+  PlotSpec plot;
+  plot.place = node.place();
+  read_data(node, plot);
+  read_words(node, plot);
   if (const ConfigNode* variants = node.find("variants")) plot.variants = variants->texts();
   if (const ConfigNode* at = node.find("at")) {
     for (const std::string& path : at->keys()) {
@@ -112,10 +144,6 @@ PlotSpec plot_of(const ConfigNode& node) {
   }
   if (const ConfigNode* log_x = node.find("log_x")) plot.log_x = log_x->flag();
   if (const ConfigNode* log_y = node.find("log_y")) plot.log_y = log_y->flag();
-  if (plot.file.find_first_of("/\\ ") != std::string::npos) {
-    throw InputError(node.place(), in_quotes(plot.file) + " is no name for a picture",
-                     "use letters, digits and '_'");
-  }
   return plot;
 }
 
@@ -153,6 +181,10 @@ void check_plot(const PlotSpec& plot, const Results& plan) {
     check_heat_map(plot, plan);
     return;
   }
+  if (plot.kind == PlotKind::series) {
+    check_series(plot, plan);
+    return;
+  }
   const Names axes = axes_of(plan);
   const Names metrics = metrics_of(plan);
   Names for_x = axes;
@@ -166,11 +198,7 @@ void check_plot(const PlotSpec& plot, const Results& plan) {
         "the plot '" + plot.file + "' has " + in_quotes(plot.x) + " along x and as lines",
         "leave lines_by out");
   }
-  const auto metric = std::find(metrics.begin(), metrics.end(), plot.y) - metrics.begin();
-  const Unit unit = plan.metrics[static_cast<std::size_t>(metric)].unit;
-  for (const PlotReference& reference : plot.references) {
-    (void)parse_quantity(reference.value, unit, plot.place);
-  }
+  check_references(plot, plan.metrics[static_cast<std::size_t>(metric_index(plan, plot.y))].unit);
 }
 
 }  // namespace mapbed

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "bench/results/results.h"
 #include "core/testing/throws_input_error.h"
 
 namespace mapbed {
@@ -24,7 +25,8 @@ TEST(PlotSpec, IsWrittenAsItIsRead) {
   for (const char* yaml : {"{y: distance}", "{x: hits, y: distance, log_y: true, variants: [odds]}",
                            "{x: hits, y: distance, title: 'a, b: c', references: {'of 2009': 2 m}}",
                            "{kind: heat_map, x: hits, y: misses, value: distance, file: map}",
-                           "{y: distance, at: {hits: 1, world: [a, b]}}"}) {
+                           "{y: distance, at: {hits: 1, world: [a, b]}}",
+                           "{kind: series, y: residual, log_y: true, at: {hits: 1}}"}) {
     const std::string text = plot_text(read(yaml));
     EXPECT_EQ(plot_text(read(text)), text);
   }
@@ -59,6 +61,18 @@ TEST(PlotSpec, OfAHeatMapHasTwoAxesOfNumbersAndOneVariant) {
   EXPECT_INPUT_ERROR(check(head + "y: misses}", plan), "it shows one variant");
   EXPECT_INPUT_ERROR(check(head + "y: hits, variants: [odds]}", plan), "over two axes");
   EXPECT_INPUT_ERROR(read("{kind: heat_map, x: hits, y: misses}"), "value");
+}
+
+TEST(PlotSpec, OfASeriesKnowsWhatItGoesOver) {
+  Results plan = cells();
+  plan.series_metrics = {{"residual", Unit::meter, "iteration", Unit::none, ""}};
+  const auto check = [&](const std::string& yaml) { check_plot(read(yaml), plan); };
+  check("{kind: series, y: residual, references: {aim: 1 cm}}");
+  check("{kind: series, x: iteration, y: residual}");
+  EXPECT_INPUT_ERROR(check("{kind: series, y: residuum}"), "did you mean 'residual'?");
+  EXPECT_INPUT_ERROR(check("{kind: series, y: distance}"), "not a series of this scenario");
+  EXPECT_INPUT_ERROR(check("{kind: series, x: hits, y: residual}"), "not what the series goes");
+  EXPECT_INPUT_ERROR(check("{kind: series, y: residual, references: {aim: 1 s}}"), "is no length");
 }
 
 }  // namespace

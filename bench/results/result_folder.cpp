@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <utility>
 
-#include "core/config/config_node.h"
+#include "bench/results/plan_yaml.h"
+#include "bench/results/result_tables.h"
+#include "bench/results/run_files.h"
+#include "core/file/atomic_file.h"
 #include "core/file/text_file.h"
 #include "core/input_error.h"
 
@@ -13,90 +15,118 @@ namespace {
 
 namespace fs = std::filesystem;
 
-CsvTable table_of(const fs::path& path) {
-  if (!fs::exists(path)) return {};
-  CsvTable table = parse_csv(path.string(), read_text_file(path.string()));
-  if (table.empty()) throw InputError({path.string()}, "is empty");
-  return table;
-}
-
 std::string text_of(const fs::path& path) {
   return fs::exists(path) ? read_text_file(path.string()) : "";
 }
 
-// Sorts as people do: "after_90_s" before "after_130_s".
-std::string sort_key(const std::string& name) {
-  constexpr std::size_t kDigits = 12;
-  std::string key, number;
-  const auto flush = [&] {
-    if (!number.empty()) key.append(kDigits - std::min(kDigits, number.size()), '0').append(number);
-    number.clear();
-  };
-  for (const char c : name) {
-    if (c >= '0' && c <= '9') {
-      number += c;
-      continue;
+// Paths of all pictures and the like, as people sort them.
+std::vector<std::string> pictures_in(const fs::path& folder) {
+  std::vector<std::string> paths;
+  for (const char* inner : {"figures", "maps", "replays", "trajectories", "learned"}) {
+    if (!fs::is_directory(folder / inner)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(folder / inner)) {
+      if (!entry.is_regular_file()) continue;
+      paths.push_back(entry.path().lexically_relative(folder).string());
     }
-    flush();
-    key += c;
   }
-  flush();
-  return key;
+  std::sort(paths.begin(), paths.end(), in_natural_order);
+  return paths;
 }
 
-std::vector<NamedFile> files_of(const fs::path& folder, const std::string& extension) {
-  std::vector<NamedFile> files;
-  if (!fs::is_directory(folder)) return files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file() || entry.path().extension() != extension) continue;
-    files.push_back(
-        {entry.path().lexically_relative(folder).string(), read_text_file(entry.path().string())});
-  }
-  std::sort(files.begin(), files.end(), [](const NamedFile& a, const NamedFile& b) {
-    return std::pair(sort_key(a.name), a.name) < std::pair(sort_key(b.name), b.name);
+bool is_plot(const Results& results, const std::string& path) {
+  return std::any_of(results.plots.begin(), results.plots.end(), [&](const PlotSpec& plot) {
+    const std::string base = "figures/" + plot.file;
+    return path == base + ".svg" || path == base + ".csv";
   });
-  return files;
 }
 
-// What the scenario was about, from the complete configuration.
-void read_head(const fs::path& path, ResultFolder& result) {
-  const ConfigNode file = load_config(path.string());
-  const ConfigNode* inner = file.find("scenario");
-  const ConfigNode& scenario =
-      inner != nullptr && inner->kind() == ConfigNode::Kind::map ? *inner : file;
-  const auto text = [&](const char* key) {
-    const ConfigNode* node = scenario.find(key);
-    return node != nullptr && node->kind() == ConfigNode::Kind::value ? node->text() : "";
-  };
-  if (const std::string id = text("id"); !id.empty()) result.id = id;
-  result.about = text("about");
-  result.thesis = text("thesis");
-  result.quick = text("quick") == "true";
-  if (const ConfigNode* skipped = scenario.find("skipped")) result.skipped = skipped->texts();
+std::vector<FileOfRun> found_files(const fs::path& folder, const Results& results) {
+  std::vector<std::string> paths = pictures_in(folder);
+  std::erase_if(paths, [&](const std::string& path) { return is_plot(results, path); });
+  return files_by_name(paths, results);
 }
 
-// Those of all runs, in the scenario's order, before those of single ones.
-void put_plots_first(const fs::path& config, std::vector<NamedFile>& figures) {
-  const ConfigNode file = load_config(config.string());
-  const ConfigNode* scenario = file.find("scenario");
-  const ConfigNode* plots = scenario == nullptr ? nullptr : scenario->find("plots");
-  if (plots == nullptr) return;
-  std::vector<std::string> order;
-  for (const ConfigNode& plot : plots->items()) order.push_back(plot.at("file").text() + ".svg");
-  const auto place = [&](const NamedFile& figure) {
-    return std::find(order.begin(), order.end(), figure.name) - order.begin();
-  };
-  std::stable_sort(figures.begin(), figures.end(),
-                   [&](const NamedFile& a, const NamedFile& b) { return place(a) < place(b); });
+bool lists(const Results& results, const std::string& path) {
+  return is_plot(results, path) ||
+         std::any_of(results.files.begin(), results.files.end(),
+                     [&](const FileOfRun& file) { return file.path == path; });
+}
+
+void remove_stale_pictures(const fs::path& folder, const Results& now) {
+  if (!fs::exists(folder / "config.yaml")) return;
+  std::vector<std::string> paths;
+  try {
+    for (const PlotSpec& plot : load_plan((folder / "config.yaml").string()).plots) {
+      for (const char* kind : {".svg", ".csv"}) paths.push_back("figures/" + plot.file + kind);
+    }
+    const std::string list = (folder / "files.csv").string();
+    if (fs::exists(list)) {
+      for (const FileOfRun& file : parse_files(list, read_text_file(list))) {
+        paths.push_back(file.path);
+      }
+    }
+  } catch (const InputError&) {
+    return;  // of another program: nothing here is known to be ours
+  }
+  for (const std::string& path : paths) {
+    if (!lists(now, path)) fs::remove(folder / path);
+  }
 }
 
 }  // namespace
 
-std::string field(const CsvTable& table, std::size_t row, const std::string& column) {
-  if (table.empty()) return {};
-  const CsvRow& head = table.front();
-  const auto found = std::find(head.begin(), head.end(), column);
-  return found == head.end() ? "" : table[row][static_cast<std::size_t>(found - head.begin())];
+std::vector<ResultFile> files_of(const Results& results) {
+  return {{"config.yaml", results.config_yaml},
+          {"runs.csv", runs_csv(results)},
+          {"summary.csv", summary_csv(results)},
+          {"series.csv", series_csv(results)},
+          {"claims.csv", claims_csv(results)},
+          {"cost_claims.csv", cost_claims_csv(results)},
+          {"cost.csv", cost_csv(results)},
+          {"files.csv", files_csv(results)},
+          {"provenance.json", results.provenance_json}};
+}
+
+void write_results(const std::string& folder, const Results& results) {
+  remove_stale_pictures(folder, results);
+  for (const ResultFile& file : files_of(results)) {
+    const std::string path = (fs::path(folder) / file.path).string();
+    if (file.content.empty()) {
+      fs::remove(path);
+    } else {
+      write_file(path, file.content);
+    }
+  }
+}
+
+Results load_results(const std::string& folder) {
+  const fs::path base(folder);
+  if (!is_result_folder(folder)) {
+    throw InputError({folder}, "is not a folder of results: it has no config.yaml and summary.csv",
+                     "make one with 'mapbed run SCENARIO'");
+  }
+  const auto path = [&](const char* name) { return (base / name).string(); };
+  Results results = load_plan(path("config.yaml"));
+  results.config_yaml = read_text_file(path("config.yaml"));
+  results.runs = parse_runs(path("runs.csv"), read_text_file(path("runs.csv")), results);
+  results.summary =
+      parse_summary(path("summary.csv"), read_text_file(path("summary.csv")), results);
+  results.verdicts = parse_verdicts(path("claims.csv"), read_text_file(path("claims.csv")), false);
+  results.costs = parse_costs(path("cost.csv"), read_text_file(path("cost.csv")));
+  if (const std::string csv = text_of(path("cost_claims.csv")); !csv.empty()) {
+    const std::vector<Verdict> of_cost = parse_verdicts(path("cost_claims.csv"), csv, true);
+    results.verdicts.insert(results.verdicts.end(), of_cost.begin(), of_cost.end());
+  }
+  if (const std::string csv = text_of(path("series.csv")); !csv.empty()) {
+    results.series = parse_series(path("series.csv"), csv, results);
+  }
+  if (const std::string csv = text_of(path("files.csv")); !csv.empty()) {
+    results.files = parse_files(path("files.csv"), csv);
+  } else {
+    results.files = found_files(base, results);
+  }
+  results.provenance_json = text_of(path("provenance.json"));
+  return results;
 }
 
 bool is_result_folder(const std::string& folder) {
@@ -117,49 +147,6 @@ std::vector<std::string> result_folders(const std::string& folder) {
   }
   std::sort(folders.begin(), folders.end());
   return folders;
-}
-
-ResultFolder load_result_folder(const std::string& folder) {
-  const fs::path base(folder);
-  if (!is_result_folder(folder)) {
-    throw InputError({folder}, "is no folder of results: it has no config.yaml and summary.csv",
-                     "make one with 'mapbed run SCENARIO'");
-  }
-  ResultFolder result{.folder = folder};
-  result.id = fs::absolute(base / ".").lexically_normal().parent_path().filename().string();
-  read_head(base / "config.yaml", result);
-  result.claims = table_of(base / "claims.csv");
-  const CsvTable of_cost = table_of(base / "cost_claims.csv");
-  if (!of_cost.empty())
-    result.claims.insert(result.claims.end(), of_cost.begin() + 1, of_cost.end());
-  result.summary = table_of(base / "summary.csv");
-  result.runs = table_of(base / "runs.csv");
-  result.cost = table_of(base / "cost.csv");
-  result.figures = files_of(base / "figures", ".svg");
-  put_plots_first(base / "config.yaml", result.figures);
-  result.maps = files_of(base / "maps", ".png");
-  result.replays = files_of(base / "replays", ".json");
-  result.config = text_of(base / "config.yaml");
-  result.provenance = text_of(base / "provenance.json");
-  return result;
-}
-
-ClaimCount claims_of(const ResultFolder& result) {
-  ClaimCount count;
-  for (std::size_t row = 1; row < result.claims.size(); ++row) {
-    const std::string held = field(result.claims, row, "held");
-    ++(held == "yes" ? count.held : held == "no" ? count.not_held : count.not_judged);
-  }
-  return count;
-}
-
-RunCount runs_of(const ResultFolder& result) {
-  RunCount count;
-  for (std::size_t row = 1; row < result.runs.size(); ++row) {
-    ++count.runs;
-    count.failed += field(result.runs, row, "failure").empty() ? 0 : 1;
-  }
-  return count;
 }
 
 }  // namespace mapbed

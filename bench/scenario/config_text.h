@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include "bench/results/results.h"
-
 namespace mapbed {
 
 struct ScenarioPlan;
@@ -15,8 +13,5 @@ std::string config_text(const ScenarioPlan& plan);
 // The part of it that decides what the runs give: scenarios that agree in it differ in their words,
 // plots and claims alone.
 std::string identity_text(const ScenarioPlan& plan);
-
-// What was planned, from such a file: all of Results but the rows. Throws InputError.
-Results load_planned(const std::string& config_path);
 
 }  // namespace mapbed

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/results/cost_claims.h"
+#include "bench/results/claim_check.h"
 #include "bench/results/plot_spec.h"
 #include "bench/scenario/config_text.h"
 #include "core/config/suggestion.h"
@@ -56,12 +56,16 @@ Results empty_results(const Scenario& scenario, const Experiment& experiment) {
   results.id = scenario.id;
   results.about = scenario.about;
   results.thesis = scenario.thesis;
+  results.experiment = scenario.experiment;
   results.quick = scenario.quick;
+  results.seed = scenario.seed;
+  results.seeds = scenario.seeds;
   results.axes = scenario.axes;
   results.levels = levels_of(scenario.axes);
   for (const Variant& variant : scenario.variants) results.variants.push_back(variant.name);
   results.metrics = chosen_metrics(scenario, experiment);
   results.plots = scenario.plots;
+  results.claims = scenario.claims;
   return results;
 }
 
@@ -151,10 +155,7 @@ ScenarioPlan make_plan(Scenario scenario) {
   ScenarioPlan plan{.scenario = std::move(scenario)};
   plan.experiment = &experiment_by_name(plan.scenario.experiment, plan.scenario.experiment_place);
   plan.results = empty_results(plan.scenario, *plan.experiment);
-  const Results costs = with_costs_as_metrics(plan.results);
-  for (const Claim& claim : plan.scenario.claims) {
-    check_claim(claim, is_about_cost(claim) ? costs : plan.results);
-  }
+  for (const Claim& claim : plan.results.claims) check_claim(claim, plan.results);
   for (const PlotSpec& plot : plan.results.plots) check_plot(plot, plan.results);
   check_keys(plan.scenario, *plan.experiment);
   SimulationParts parts;
@@ -164,7 +165,7 @@ ScenarioPlan make_plan(Scenario scenario) {
     }
   }
   plan.results.skipped = skipped_in(plan);
-  plan.config_yaml = config_text(plan);
+  plan.results.config_yaml = config_text(plan);
   return plan;
 }
 

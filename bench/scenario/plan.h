@@ -21,9 +21,8 @@ struct PlannedRuns {
 struct ScenarioPlan {
   Scenario scenario;
   const Experiment* experiment = nullptr;
-  Results results;                   // all but the rows
+  Results results;                   // all but the rows; with its complete config.yaml
   std::vector<PlannedRuns> planned;  // by level and variant, the last one fastest
-  std::string config_yaml;           // complete, as it stands beside the results
 
   int runs() const;                     // with those that are skipped because their log is not here
   std::vector<int> runs_to_do() const;  // numbers of the others

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -14,8 +14,10 @@
 
 #include "bench/process/folder_lock.h"
 #include "bench/process/provenance.h"
-#include "bench/results/cost_claims.h"
-#include "bench/results/results_file.h"
+#include "bench/results/judge.h"
+#include "bench/results/result_folder.h"
+#include "bench/results/result_tables.h"
+#include "bench/results/run_files.h"
 #include "bench/results/summary.h"
 #include "bench/scenario/config_text.h"
 #include "bench/scenario/journal.h"
@@ -23,6 +25,7 @@
 #include "core/check.h"
 #include "core/file/atomic_file.h"
 #include "core/file/hash.h"
+#include "core/file/text_file.h"
 
 namespace mapbed {
 namespace {
@@ -33,41 +36,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kProvenance = "provenance.json";
 
-// Of a text that becomes a part of a file's name.
-std::string slug_of(const std::string& text) {
-  std::string slug;
-  for (const char c : text) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-';
-    if (plain) slug += c;
-    if (!plain && !slug.empty() && slug.back() != '_') slug += '_';
-  }
-  while (!slug.empty() && slug.back() == '_') slug.pop_back();
-  return slug;
-}
-
-// "maps/map.png" of a run becomes "maps/map_level_2_raw.png".
-std::string path_of(const ResultFile& file, const RunRow& row, const Results& results) {
-  const fs::path path(file.path);
-  std::string name = path.stem().string();
-  if (results.levels.size() > 1) name += fmt::format("_level_{}", row.level);
-  if (results.variants.size() > 1) {
-    name += "_" + slug_of(results.variants[static_cast<std::size_t>(row.variant)]);
-  }
-  return (path.parent_path() / (name + path.extension().string())).string();
-}
-
-// One without content is not there, nor stays one of before.
-void write_tables(const fs::path& folder, const std::vector<ResultFile>& tables) {
-  for (const ResultFile& table : tables) {
-    const std::string path = (folder / table.path).string();
-    if (table.content.empty()) {
-      fs::remove(path);
-    } else {
-      write_file(path, table.content);
-    }
-  }
-}
-
 // The folder in which everything is kept until it is complete.
 class Workshop {
  public:
@@ -77,6 +45,7 @@ class Workshop {
     std::error_code failed;
     fs::create_directories(inner_ / "files", failed);
     if (failed) throw InputError({inner_.string()}, "cannot be made: " + failed.message());
+    fs::create_directories(inner_ / "tables");
     journal_.emplace((inner_ / "journal").string(), identity, plan.results.metrics.size());
   }
 
@@ -84,18 +53,35 @@ class Workshop {
 
   // Files first: a run that is in the journal is there with all it gave.
   void keep(const RunResult& result) {
+    Results of_run = plan_.results;
+    of_run.runs = {result.row};
+    of_run.series = result.series;
     for (const ResultFile& file : result.files) {
-      const fs::path path = inner_ / "files" / path_of(file, result.row, plan_.results);
+      of_run.files.push_back(file_of_run(file, result.row, plan_.results));
+      const fs::path path = inner_ / "files" / of_run.files.back().path;
       fs::create_directories(path.parent_path());
       write_file(path.string(), file.content);
     }
+    write_table("series", result.row.run, series_csv(of_run));
+    write_table("files", result.row.run, files_csv(of_run));
     journal_->append({result.row, result.cost});
   }
 
+  // The series and the list of files of all runs that were kept, by this start or one before.
+  void collect(Results& results) const {
+    for (const RunRow& run : results.runs) {
+      const std::string series = table_path("series", run.run);
+      if (fs::exists(series)) {
+        append(parse_series(series, read_text_file(series), results), results.series);
+      }
+      const std::string files = table_path("files", run.run);
+      if (fs::exists(files)) append(parse_files(files, read_text_file(files)), results.files);
+    }
+  }
+
   // Everything to where it belongs; files that are not here any more were moved by a start that was
-  // killed. The provenance comes last: it says that the result is finished.
-  void finish(const std::vector<ResultFile>& tables, const std::string& provenance) {
-    write_tables(folder_, tables);
+  // killed.
+  void finish(const Results& results) {
     const fs::path files = inner_ / "files";
     std::vector<fs::path> found;
     for (const auto& entry : fs::recursive_directory_iterator(files)) {
@@ -106,12 +92,23 @@ class Workshop {
       fs::create_directories(target.parent_path());
       fs::rename(path, target);
     }
-    write_file((folder_ / kProvenance).string(), provenance);
+    write_results(folder_.string(), results);
     journal_.reset();
     fs::remove_all(inner_);
   }
 
  private:
+  template <class T>
+  static void append(std::vector<T> more, std::vector<T>& all) {
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+  }
+  std::string table_path(const std::string& kind, int run) const {
+    return (inner_ / "tables" / fmt::format("{}_{}.csv", kind, run)).string();
+  }
+  void write_table(const std::string& kind, int run, const std::string& csv) const {
+    if (!csv.empty()) write_file(table_path(kind, run), csv);
+  }
+
   const ScenarioPlan& plan_;
   fs::path folder_;
   fs::path inner_;
@@ -141,18 +138,14 @@ std::set<int> take_over(const Journal& journal, const ScenarioPlan& plan, Result
   return done;
 }
 
-void conclude(const ScenarioPlan& plan, Results& results) {
+void conclude(Results& results) {
   const auto by_number = [](const auto& a, const auto& b) { return a.run < b.run; };
   std::sort(results.runs.begin(), results.runs.end(), by_number);
   std::sort(results.costs.begin(), results.costs.end(), by_number);
+  std::stable_sort(results.series.begin(), results.series.end(), by_number);
+  std::stable_sort(results.files.begin(), results.files.end(), by_number);
   results.summary = summarise(results);
-  results.claims.clear();
-  const Results costs = with_costs_as_metrics(results);
-  for (const Claim& claim : plan.scenario.claims) {
-    const bool of_cost = is_about_cost(claim);
-    results.claims.push_back(judge(claim, of_cost ? costs : results));
-    results.claims.back().of_cost = of_cost;
-  }
+  results.verdicts = judge_all(results);
 }
 
 Provenance provenance_of(const ScenarioPlan& plan, const ScenarioRunOptions& options,
@@ -173,43 +166,18 @@ Provenance provenance_of(const ScenarioPlan& plan, const ScenarioRunOptions& opt
   return p;
 }
 
-std::vector<ResultFile> tables_of(const ScenarioPlan& plan, const Results& results) {
-  return {{"config.yaml", plan.config_yaml},
-          {"runs.csv", runs_csv(results)},
-          {"summary.csv", summary_csv(results)},
-          {"claims.csv", claims_csv(results)},
-          {"cost_claims.csv", cost_claims_csv(results)},
-          {"cost.csv", cost_csv(results)}};
-}
-
-// Pictures that an older result of the folder has and this one does not plan.
-void remove_old_figures(const std::string& folder, const Results& planned) {
-  const std::string config = folder + "/config.yaml";
-  if (!fs::exists(config)) return;
-  std::vector<PlotSpec> old;
-  try {
-    old = load_planned(config).plots;
-  } catch (const InputError&) {
-    return;  // of another program: nothing here is known to be ours
-  }
-  for (const PlotSpec& plot : old) {
-    const bool stays = std::any_of(planned.plots.begin(), planned.plots.end(),
-                                   [&](const PlotSpec& p) { return p.file == plot.file; });
-    if (stays) continue;
-    for (const char* kind : {".svg", ".csv"}) fs::remove(folder + "/figures/" + plot.file + kind);
-  }
-}
-
 // A finished result of these very runs and this program, with the words, plots and claims of now.
 ScenarioRun finished_run(const ScenarioPlan& plan, const std::string& folder) {
   ScenarioRun run{.results = plan.results, .complete = true};
   Results found = load_results(folder);
   run.results.runs = std::move(found.runs);
   run.results.costs = std::move(found.costs);
+  run.results.series = std::move(found.series);
+  run.results.files = std::move(found.files);
+  run.results.provenance_json = std::move(found.provenance_json);
   run.done_before = static_cast<int>(run.results.runs.size());
-  conclude(plan, run.results);
-  remove_old_figures(folder, plan.results);
-  write_tables(folder, tables_of(plan, run.results));
+  conclude(run.results);
+  write_results(folder, run.results);
   fs::remove_all(fs::path(folder) / "runs");
   return run;
 }
@@ -250,11 +218,12 @@ ScenarioRun run_scenario(
   run.complete = run.results.runs.size() == total;
   if (!run.complete) return run;
 
-  conclude(plan, run.results);
+  workshop.collect(run.results);
+  conclude(run.results);
   Provenance provenance = provenance_of(plan, options, run);
   provenance.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  remove_old_figures(options.folder, plan.results);
-  workshop.finish(tables_of(plan, run.results), to_json(provenance));
+  run.results.provenance_json = to_json(provenance);
+  workshop.finish(run.results);
   return run;
 }
 

@@ -15,6 +15,7 @@ struct RunResult {
   RunRow row;
   CostRow cost;
   std::vector<ResultFile> files;
+  std::vector<Series> series;
 };
 
 // What the runner tells, from several threads but one at a time.

@@ -1,7 +1,6 @@
 #include "bench/scenario/scenario.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
@@ -34,15 +33,6 @@ struct Reading {
 const std::vector<std::string> kKeys{"about",   "thesis", "base", "experiment", "sweep",
                                      "compare", "seeds",  "seed", "metrics",    "plots",
                                      "claims",  "quick",  "set"};
-
-// "2 deg" is 2 and "deg"; false where the text does not begin with a number.
-bool split_quantity(const std::string& text, double& number, std::string& unit) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{}) return false;
-  unit.assign(end, text.data() + text.size());
-  unit.erase(0, unit.find_first_not_of(' '));
-  return unit.empty() || *end == ' ';
-}
 
 SweepAxis swept_axis(const std::string& path, const ConfigNode& node) {
   std::vector<std::string> texts;
@@ -225,34 +215,6 @@ Scenario load_scenario(const std::string& name_or_path, const ScenarioChoice& ch
 
 std::vector<std::string> scenario_names() {
   return data_names("scenarios");
-}
-
-SweepAxis axis_of(const std::string& path, std::vector<std::string> texts) {
-  SweepAxis axis{path, std::move(texts), {}, {}};
-  for (std::size_t i = 0; i < axis.texts.size(); ++i) {
-    double number = 0.0;
-    std::string unit;
-    if (!split_quantity(axis.texts[i], number, unit)) return {path, axis.texts, {}, {}};
-    if (i == 0) axis.unit = unit;
-    if (unit != axis.unit) return {path, axis.texts, {}, {}};
-    axis.numbers.push_back(number);
-  }
-  return axis;
-}
-
-std::vector<Level> levels_of(const std::vector<SweepAxis>& axes) {
-  std::vector<Level> levels{Level{}};
-  for (const SweepAxis& axis : axes) {
-    std::vector<Level> finer;
-    for (const Level& level : levels) {
-      for (std::size_t i = 0; i < axis.texts.size(); ++i) {
-        finer.push_back(level);
-        finer.back().choice.push_back(static_cast<int>(i));
-      }
-    }
-    levels = std::move(finer);
-  }
-  return levels;
 }
 
 Settings settings_of(const Scenario& scenario, const Level& level, const Variant& variant) {

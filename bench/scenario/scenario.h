@@ -72,12 +72,6 @@ Scenario load_scenario(const std::string& name_or_path, const ScenarioChoice& ch
 
 std::vector<std::string> scenario_names();
 
-// Every combination of the axes' values, the last axis fastest.
-std::vector<Level> levels_of(const std::vector<SweepAxis>& axes);
-
-// An axis of these values; with their numbers where they are numbers of one unit.
-SweepAxis axis_of(const std::string& path, std::vector<std::string> texts);
-
 // What differs from the defaults in the runs of a level and variant; the later of two wins.
 Settings settings_of(const Scenario& scenario, const Level& level, const Variant& variant);
 

@@ -54,22 +54,14 @@ TEST_F(ScenarioFile, SetFromTheCommandLineHasTheLastWord) {
   const ScenarioPlan plan = this->plan(kCells + std::string("odds.p_occ: 0.7\n"), choice);
   EXPECT_THAT(plan.results.axes[0].texts, ElementsAre("7", "8"));
   EXPECT_EQ(plan.scenario.seeds, 4);
-  EXPECT_THAT(plan.config_yaml, ::testing::HasSubstr("p_occ: 0.9"));
+  EXPECT_THAT(plan.results.config_yaml, ::testing::HasSubstr("p_occ: 0.9"));
 }
 
 TEST_F(ScenarioFile, ABaseIsReadFirst) {
   write("base.yaml", kCells + std::string("seeds: 5\nmisses: 1\n"));
   const ScenarioPlan plan = this->plan("base: base.yaml\nseeds: 2\nsweep: {hits: [9]}\n");
   EXPECT_EQ(plan.runs(), 1 * 2 * 2);
-  EXPECT_THAT(plan.config_yaml, ::testing::HasSubstr("misses: 1"));
-}
-
-TEST_F(ScenarioFile, AnAxisKnowsItsNumbersAndUnit) {
-  const SweepAxis lengths = axis_of("x", {"2 cm", "5 cm"});
-  EXPECT_EQ(lengths.unit, "cm");
-  EXPECT_THAT(lengths.numbers, ElementsAre(2.0, 5.0));
-  EXPECT_TRUE(axis_of("x", {"2 cm", "5 m"}).numbers.empty());
-  EXPECT_TRUE(axis_of("x", {"left", "right"}).numbers.empty());
+  EXPECT_THAT(plan.results.config_yaml, ::testing::HasSubstr("misses: 1"));
 }
 
 TEST_F(ScenarioFile, IsRefusedWithPlaceAndRemedy) {

@@ -78,6 +78,15 @@ const Dimension& dimension_of(Unit unit) {
   return dimensions().front();
 }
 
+// "deg/s" of a turn rate; null where there is no angle in it.
+const Symbol* display_symbol_of(Unit unit) {
+  if (unit == Unit::none) return nullptr;
+  for (const Symbol& symbol : dimension_of(unit).symbols) {
+    if (symbol.in_degrees && symbol.per == 1.0) return &symbol;
+  }
+  return nullptr;
+}
+
 bool is_known_symbol(std::string_view text) {
   for (const Dimension& dimension : dimensions()) {
     for (const Symbol& symbol : dimension.symbols) {
@@ -179,6 +188,27 @@ std::string unit_name(Unit unit) {
   if (unit == Unit::none) return "number";
   const Dimension& dimension = dimension_of(unit);
   return std::string(dimension.noun) + " [" + std::string(dimension.symbols.front().text) + "]";
+}
+
+std::string unit_symbol(Unit unit) {
+  return unit == Unit::none ? "" : std::string(dimension_of(unit).symbols.front().text);
+}
+
+Unit unit_of_symbol(std::string_view symbol, const SourceLocation& place) {
+  if (symbol.empty()) return Unit::none;
+  for (const Dimension& dimension : dimensions()) {
+    if (dimension.symbols.front().text == symbol) return dimension.unit;
+  }
+  throw InputError(place, in_quotes(symbol) + " is not the symbol of a unit");
+}
+
+double displayed(double value, Unit unit) {
+  return display_symbol_of(unit) == nullptr ? value : value * 180.0 / kPi;
+}
+
+std::string display_symbol(Unit unit) {
+  const Symbol* in_degrees = display_symbol_of(unit);
+  return in_degrees == nullptr ? unit_symbol(unit) : std::string(in_degrees->text);
 }
 
 }  // namespace mapbed

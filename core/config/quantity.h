@@ -19,4 +19,15 @@ std::string quantity_text(double value, Unit unit);
 // "length [m]", "angle [rad]"; "number" for none.
 std::string unit_name(Unit unit);
 
+// The SI symbol, "m/s", as tables and configurations have it; empty for none.
+std::string unit_symbol(Unit unit);
+
+// The unit of an SI symbol; Unit::none for an empty one. Throws InputError on any other text.
+Unit unit_of_symbol(std::string_view symbol, const SourceLocation& place);
+
+// Numbers as people read them, on axes and pages and in messages: angles in degrees, all else in
+// SI.
+double displayed(double value, Unit unit);
+std::string display_symbol(Unit unit);  // "deg/s"; empty for none
+
 }  // namespace mapbed

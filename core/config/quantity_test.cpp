@@ -76,5 +76,23 @@ TEST(Quantity, ItsTextHasDegreesWhereTheyAreShorter) {
   EXPECT_EQ(quantity_text(0.02, Unit::meter), "0.02 m");
 }
 
+TEST(Quantity, UnitsAreFoundByTheirSymbol) {
+  for (int i = 0; i <= static_cast<int>(Unit::newton); ++i) {
+    const auto unit = static_cast<Unit>(i);
+    EXPECT_EQ(unit_of_symbol(unit_symbol(unit), {"x.yaml", 3}), unit);
+  }
+  EXPECT_EQ(unit_symbol(Unit::radian_per_meter), "rad/m");
+  EXPECT_INPUT_ERROR(unit_of_symbol("deg", {"x.yaml", 3}),
+                     "x.yaml:3: 'deg' is not the symbol of a unit");
+}
+
+TEST(Quantity, PeopleReadDegrees) {
+  EXPECT_EQ(display_symbol(Unit::radian_per_second), "deg/s");
+  EXPECT_NEAR(displayed(kPi, Unit::radian_per_second), 180.0, 1e-13);
+  EXPECT_EQ(display_symbol(Unit::meter), "m");
+  EXPECT_EQ(displayed(0.02, Unit::meter), 0.02);
+  EXPECT_EQ(display_symbol(Unit::none), "");
+}
+
 }  // namespace
 }  // namespace mapbed

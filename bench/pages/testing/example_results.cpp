@@ -2,45 +2,77 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <sstream>
 
 #include "bench/plot/heat_map.h"
 #include "bench/plot/plot.h"
+#include "bench/results/plan_yaml.h"
 #include "bench/results/replay.h"
+#include "bench/results/result_folder.h"
 #include "core/file/text_file.h"
 #include "core/image/png.h"
 
 namespace mapbed {
 namespace {
 
-constexpr const char* kConfig = R"(scenario:
-  id: example
-  about: Does <b> & a question pass through?
-  thesis: Figure 3.10
-  quick: false
-  seeds: 2
-)";
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-constexpr const char* kClaims = R"(claim,held,measured,thesis
-failures of on at most those of off,yes,0.1 against 0.3,fewer at every level
-error below 0.5 m,no,0.73 m at 16 deg,
-fewer in the upper half,not judged,no such level,yes
-)";
+std::string config_of(const Results& plan) {
+  std::istringstream lines(plan_yaml(plan));
+  std::string text = "scenario:\n";
+  for (std::string line; std::getline(lines, line);) text += "  " + line + "\n";
+  return text;
+}
 
-constexpr const char* kSummary =
-    "level,robot.odometry.rotation_sigma,variant,metric,unit,runs,failed,missing,mean,low,high,"
-    "median,min,max\n"
-    "0,0 deg,off,translation_error,m,2,0,0,0.5,0.4,0.6,0.5,0.3,0.7\n"
-    "0,0 deg,on,translation_error,m,2,0,0,0.125,0.1,0.2,0.1,0.1,0.3\n"
-    "1,16 deg,off,heading_error,rad,2,1,1,0.5,0.25,1,0.5,0.25,1\n"
-    "1,16 deg,on,heading_error,rad,2,0,2,,,,,,\n";
-
-constexpr const char* kRuns =
-    "run,seed,level,robot.odometry.rotation_sigma,variant,translation_error,failure\n"
-    "0,7,0,0 deg,off,0.5,\n1,7,1,16 deg,off,,\"lost </script>, at 3 s\"\n";
-
-constexpr const char* kCost =
-    "run,seconds,recording_seconds,recorded_seconds,peak_memory_bytes\n"
-    "0,1.5,3,60,1e8\n1,0.5,0,60,1.2e8\n";
+// A filter on and off under two noises, with one seed; half of the runs were done.
+Results example_results() {
+  Results r{.id = "example",
+            .about = "Does <b> & a question pass through?",
+            .thesis = "Figure 3.10",
+            .experiment = "slam",
+            .seed = 7};
+  r.axes = {axis_of("robot.odometry.rotation_sigma", {"0 deg", "16 deg"})};
+  r.levels = levels_of(r.axes);
+  r.variants = {"off", "on"};
+  r.metrics = {{"translation_error", Unit::meter, "ATE"}, {"heading_error", Unit::radian, "ATE"}};
+  r.plots = {{.file = "error",
+              .title = "Error over noise",
+              .x = "robot.odometry.rotation_sigma",
+              .y = "translation_error"}};
+  r.config_yaml = config_of(r);
+  r.runs = {{.run = 0, .level = 0, .variant = 0, .seed = 7, .values = {0.5, 0.1}},
+            {.run = 2,
+             .level = 1,
+             .variant = 0,
+             .seed = 7,
+             .values = {kNone, kNone},
+             .failure = "lost </script>, at 3 s"}};
+  r.summary = {{0, 0, 0, 2, 0, 0, 0.5, 0.4, 0.6, 0.5, 0.3, 0.7},
+               {0, 1, 0, 2, 0, 0, 0.125, 0.1, 0.2, 0.1, 0.1, 0.3},
+               {1, 0, 1, 2, 1, 1, 0.5, 0.25, 1.0, 0.5, 0.25, 1.0},
+               {1, 1, 1, 2, 0, 2, kNone, kNone, kNone, kNone, kNone, kNone}};
+  r.verdicts = {{.claim = "failures of on at most those of off",
+                 .held = true,
+                 .measured = "0.1 against 0.3",
+                 .thesis = "fewer at every level"},
+                {.claim = "error below 0.5 m", .held = false, .measured = "0.73 m at 16 deg"},
+                {.claim = "fewer in the upper half",
+                 .judged = false,
+                 .measured = "no such level",
+                 .thesis = "yes"}};
+  r.costs = {{.run = 0,
+              .seconds = 1.5,
+              .recording_seconds = 3.0,
+              .recorded_seconds = 60.0,
+              .peak_memory = 1e8},
+             {.run = 2, .seconds = 0.5, .recorded_seconds = 60.0, .peak_memory = 1.2e8}};
+  r.files = {{"figures/heat_level_0_off.svg", 0, "heat"},
+             {"maps/map_level_1_off.png", 2, "map"},
+             {"replays/run_level_0_off.json", 0, ""}};
+  r.provenance_json = "{\"seed\": 7}\n";
+  return r;
+}
 
 Replay example_replay() {
   Replay replay{.title = "seed 7 </script>",
@@ -70,12 +102,7 @@ void make_example_results(const std::string& folder) {
   for (const char* name : {"figures", "maps", "replays"}) {
     std::filesystem::create_directories(folder + "/" + name);
   }
-  write_text_file(folder + "/config.yaml", kConfig);
-  write_text_file(folder + "/claims.csv", kClaims);
-  write_text_file(folder + "/summary.csv", kSummary);
-  write_text_file(folder + "/runs.csv", kRuns);
-  write_text_file(folder + "/cost.csv", kCost);
-  write_text_file(folder + "/provenance.json", "{\"seed\": 7}\n");
+  write_results(folder, example_results());
   const Plot plot{.title = "Error over noise",
                   .x = {"noise", "deg"},
                   .y = {"error", "m"},
@@ -84,9 +111,9 @@ void make_example_results(const std::string& folder) {
   write_text_file(folder + "/figures/error.svg", svg_of(plot));
   write_text_file(folder + "/figures/error.csv", csv_of(plot));
   const HeatMap heat{.title = "Heat", .xs = {0, 1}, .ys = {0, 1}, .values = {0, 1, 2, 3}};
-  write_text_file(folder + "/figures/heat.svg", svg_of(heat));
-  write_png(folder + "/maps/on.png", RgbImage(900, 300, kWhite));
-  write_text_file(folder + "/replays/seed_7.json", replay_json(example_replay()));
+  write_text_file(folder + "/figures/heat_level_0_off.svg", svg_of(heat));
+  write_png(folder + "/maps/map_level_1_off.png", RgbImage(900, 300, kWhite));
+  write_text_file(folder + "/replays/run_level_0_off.json", replay_json(example_replay()));
 }
 
 }  // namespace mapbed

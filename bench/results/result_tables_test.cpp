@@ -1,4 +1,4 @@
-#include "bench/results/results_file.h"
+#include "bench/results/result_tables.h"
 
 #include <limits>
 
@@ -23,7 +23,7 @@ Results two_runs() {
   return results;
 }
 
-TEST(ResultsFile, ARowForEachRunFailedOnesIncluded) {
+TEST(ResultTables, ARowForEachRunFailedOnesIncluded) {
   EXPECT_EQ(runs_csv(two_runs()),
             "run,seed,level,robot.odometry.rotation_sigma,variant,translation_error,success,"
             "failure\n"
@@ -31,7 +31,7 @@ TEST(ResultsFile, ARowForEachRunFailedOnesIncluded) {
             "1,7,1,2 deg,filter off,,0,\"lost, at 3 s\"\n");
 }
 
-TEST(ResultsFile, TheSummaryNamesUnits) {
+TEST(ResultTables, TheSummaryNamesUnits) {
   Results results = two_runs();
   results.summary = {{.level = 1,
                       .variant = 0,
@@ -50,7 +50,7 @@ TEST(ResultsFile, TheSummaryNamesUnits) {
       ::testing::EndsWith("1,2 deg,filter off,translation_error,m,3,1,1,2,1.5,2.5,2,1,3\n"));
 }
 
-TEST(ResultsFile, ALevelIsNamedByItsValues) {
+TEST(ResultTables, ALevelIsNamedByItsValues) {
   EXPECT_EQ(level_text(two_runs(), 1), "rotation_sigma = 2 deg");
   Results plain;
   plain.levels = {{}};

@@ -1,0 +1,64 @@
+#include "bench/results/run_files.h"
+
+#include <gmock/gmock.h>
+
+namespace mapbed {
+namespace {
+
+using ::testing::ElementsAre;
+
+// Levels of a sweep, two variants of which one's name ends like the other's, first seed 7.
+Results compared() {
+  Results results{.seed = 7};
+  results.axes = {axis_of("people", {"0", "5"})};
+  results.levels = levels_of(results.axes);
+  results.variants = {"raw", "not raw"};
+  for (int run = 0; run < 8; ++run) {
+    results.runs.push_back({.run = run,
+                            .level = run % 4 / 2,
+                            .variant = run % 2,
+                            .seed = 7u + static_cast<unsigned>(run / 4)});
+  }
+  return results;
+}
+
+TEST(RunFiles, TheNameSaysLevelAndVariant) {
+  const Results results = compared();
+  const FileOfRun file = file_of_run({"maps/map.png", "", ""}, results.runs[3], results);
+  EXPECT_EQ(file.path, "maps/map_level_1_not_raw.png");
+  EXPECT_EQ(file.run, 3);
+  EXPECT_EQ(file.title, "map");
+  EXPECT_EQ(file_of_run({"maps/end_points.png", "", ""}, results.runs[0], results).title,
+            "end points");
+  EXPECT_EQ(file_of_run({"maps/map.png", "", "the map"}, results.runs[0], results).title,
+            "the map");
+}
+
+TEST(RunFiles, OfASingleRunKeepTheirName) {
+  Results results;
+  results.levels = {{}};
+  results.variants = {"all"};
+  results.runs = {{.run = 0, .seed = 1}};
+  EXPECT_EQ(file_of_run({"maps/map.png", "", ""}, results.runs[0], results).path, "maps/map.png");
+}
+
+TEST(RunFiles, AreFoundByTheirNames) {
+  const Results results = compared();
+  for (int run = 0; run < 4; ++run) {
+    const FileOfRun file = file_of_run({"maps/the_map.png", "", ""}, results.runs[run], results);
+    const std::vector<FileOfRun> found = files_by_name({file.path, "maps/of_my_own.png"}, results);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].path, file.path);
+    EXPECT_EQ(found[0].run, run);
+    EXPECT_EQ(found[0].title, "the map");
+  }
+}
+
+TEST(RunFiles, SortAsPeopleDo) {
+  std::vector<std::string> paths{"after_130_s", "after_90_s", "after", "after_90_s_b"};
+  std::sort(paths.begin(), paths.end(), in_natural_order);
+  EXPECT_THAT(paths, ElementsAre("after", "after_90_s", "after_90_s_b", "after_130_s"));
+}
+
+}  // namespace
+}  // namespace mapbed
