@@ -24,8 +24,12 @@ std::string content_of(const std::string& folder, const Picture& picture) {
   return read_text_file((fs::path(folder) / picture.path).string());
 }
 
-// Of single runs, in that folder: "map, people 3, raw". Results are kept without their larger
-// files, too.
+// "map, people 3, raw"
+std::string joined(const std::string& title, const std::string& run) {
+  return title + (title.empty() || run.empty() ? "" : ", ") + run;
+}
+
+// Of single runs, in that folder. Results are kept without their larger files, too.
 std::vector<Picture> pictures_of_runs(const std::string& folder, const Results& results,
                                       const std::string& inner, const std::string& extension) {
   std::vector<Picture> pictures;
@@ -34,9 +38,8 @@ std::vector<Picture> pictures_of_runs(const std::string& folder, const Results& 
     if (!is_one || !fs::exists(fs::path(folder) / file.path)) continue;
     const auto run = std::find_if(results.runs.begin(), results.runs.end(),
                                   [&](const RunRow& row) { return row.run == file.run; });
-    const std::string words = run == results.runs.end() ? "" : run_words(results, *run);
-    const bool has_both = !file.title.empty() && !words.empty();
-    pictures.push_back({file.path, file.title + (has_both ? ", " : "") + words});
+    pictures.push_back(
+        {file.path, file.title, run == results.runs.end() ? "" : run_words(results, *run)});
   }
   std::sort(pictures.begin(), pictures.end(),
             [](const Picture& a, const Picture& b) { return in_natural_order(a.path, b.path); });
@@ -73,7 +76,7 @@ std::vector<Picture> figures_of(const std::string& folder, const Results& result
   std::vector<Picture> figures;
   for (const PlotSpec& plot : results.plots) {
     const std::string path = "figures/" + plot.file + ".svg";
-    if (fs::exists(fs::path(folder) / path)) figures.push_back({path, plot.title});
+    if (fs::exists(fs::path(folder) / path)) figures.push_back({path, plot.title, ""});
   }
   const std::vector<Picture> of_runs = pictures_of_runs(folder, results, "figures", ".svg");
   figures.insert(figures.end(), of_runs.begin(), of_runs.end());
@@ -94,7 +97,7 @@ std::string figures_html(const std::string& folder, const Results& results) {
 std::string maps_html(const std::string& folder, const Results& results) {
   std::string html;
   for (const Picture& map : pictures_of_runs(folder, results, "maps", ".png")) {
-    const std::string title = xml_escaped(map.title);
+    const std::string title = xml_escaped(joined(map.title, map.run));
     html += fmt::format(
         "<figure><img src=\"{}\" alt=\"Map: {}\" loading=\"lazy\"><figcaption>{}"
         "</figcaption></figure>\n",
@@ -113,8 +116,8 @@ std::string replays_html(const std::string& folder, const Results& results) {
                        "is not a replay: not a JSON object");
     }
     const std::string title = json.value("title", "");
-    html += "<h3>" + xml_escaped(title.empty() ? replay.title : title + ": " + replay.title) +
-            "</h3>\n";
+    html +=
+        "<h3>" + xml_escaped(joined(title.empty() ? replay.title : title, replay.run)) + "</h3>\n";
     html += kPlayer;
     if (json.contains("truth")) html += check_box("truth", "true path", "#009e73");
     if (json.contains("estimate")) html += check_box("estimate", "estimate", "#0072b2");

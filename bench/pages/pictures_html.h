@@ -10,7 +10,8 @@ namespace mapbed {
 // A picture of a result, as far as its file is there.
 struct Picture {
   std::string path;   // below the result's folder: "figures/error.svg"
-  std::string title;  // "Error over noise"; with the run that it is of: "map, people 3, raw"
+  std::string title;  // "Error over noise", "map"
+  std::string run;    // of a single run: "people 3, raw"
 };
 
 // The scenario's own plots, in its order, then those of single runs as people sort them.

@@ -72,7 +72,7 @@ TEST_F(ReportPage, NeedsNothingFromElsewhere) {
 
 TEST_F(ReportPage, SaysInWordsWhatAMapAndAReplayAreOf) {
   EXPECT_THAT(page(), HasSubstr("<figcaption>map, rotation sigma 16 deg, off</figcaption>"));
-  EXPECT_THAT(page(), HasSubstr("<h3>seed 7 &lt;/script&gt;: rotation sigma 0 deg, off</h3>"));
+  EXPECT_THAT(page(), HasSubstr("<h3>seed 7 &lt;/script&gt;, rotation sigma 0 deg, off</h3>"));
 }
 
 TEST_F(ReportPage, FindsThePicturesOfOlderResultsByTheirNames) {

@@ -45,7 +45,7 @@ TEST(PlotSpec, NamesOnlyWhatTheScenarioHas) {
   EXPECT_INPUT_ERROR(check("{y: distance, references: {published: 20 deg}}"), "x.yaml:7");
   EXPECT_INPUT_ERROR(check("{y: distance, at: {hits: 2}}"), "no value of 'hits'");
   EXPECT_INPUT_ERROR(check("{y: distance, at: {hit: 1}}"), "did you mean 'hits'?");
-  EXPECT_INPUT_ERROR(read("{y: distance, file: a/b}"), "is no name for a picture");
+  EXPECT_INPUT_ERROR(read("{y: distance, file: a/b}"), "is not a name for a picture");
 }
 
 TEST(PlotSpec, OfAHeatMapHasTwoAxesOfNumbersAndOneVariant) {
@@ -72,7 +72,8 @@ TEST(PlotSpec, OfASeriesKnowsWhatItGoesOver) {
   EXPECT_INPUT_ERROR(check("{kind: series, y: residuum}"), "did you mean 'residual'?");
   EXPECT_INPUT_ERROR(check("{kind: series, y: distance}"), "not a series of this scenario");
   EXPECT_INPUT_ERROR(check("{kind: series, x: hits, y: residual}"), "not what the series goes");
-  EXPECT_INPUT_ERROR(check("{kind: series, y: residual, references: {aim: 1 s}}"), "is no length");
+  EXPECT_INPUT_ERROR(check("{kind: series, y: residual, references: {aim: 1 s}}"),
+                     "is not a length");
 }
 
 }  // namespace

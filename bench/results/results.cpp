@@ -48,6 +48,7 @@ std::string level_text(const Results& results, int level) {
 std::string run_words(const Results& results, const RunRow& run) {
   std::string text;
   for (std::size_t axis = 0; axis < results.axes.size(); ++axis) {
+    if (results.axes[axis].texts.size() < 2) continue;
     text += (text.empty() ? "" : ", ") + words_of(results.axes[axis].path) + " " +
             text_at(results, run.level, axis);
   }

@@ -96,10 +96,10 @@ TEST(SeriesClaims, AreRefusedWhereTheyDoNotSayWhatTheyTake) {
   };
   refuse("{series: error, of: raw, below: 1 m}", "add 'take: first', 'take: last' or 'at: {time");
   refuse("{series: error, take: last, at: {time: 7 s}, below: 1 m}", "takes two values");
-  refuse("{series: error, at: {time: 7 m}, below: 1 m}", "'7 m' is no time");
+  refuse("{series: error, at: {time: 7 m}, below: 1 m}", "'7 m' is not a time");
   refuse("{series: error, take: middle, below: 1 m}", "'middle'");
   refuse("{series: eror, take: last, below: 1 m}", "none of the scenario's series; did you mean");
-  refuse("{series: error, take: last, below: 1 s}", "'1 s' is no length");
+  refuse("{series: error, take: last, below: 1 s}", "'1 s' is not a length");
   refuse("{series: error, at: {time: 7 s}, of: raw, below: raw, against_metric: residual}",
          "'residual' does not go over time");
 }
