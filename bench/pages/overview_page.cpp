@@ -98,8 +98,7 @@ std::string short_markdown(const ReportedResults& result) {
                         markdown(v.thesis));
   }
   for (const Picture& figure : figures_of(result.folder, result.results)) {
-    const std::string title = figure.title.empty() ? figure.path : figure.title;
-    text += fmt::format("\n![{}]({}/{})\n", markdown(title), name, figure.path);
+    text += fmt::format("\n![{}]({}/{})\n", markdown(caption_of(figure)), name, figure.path);
   }
   return text;
 }

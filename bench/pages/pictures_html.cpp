@@ -72,6 +72,10 @@ std::string in_script(const std::string& json) {
 
 }  // namespace
 
+std::string caption_of(const Picture& picture) {
+  return joined(picture.title, picture.run);
+}
+
 std::vector<Picture> figures_of(const std::string& folder, const Results& results) {
   std::vector<Picture> figures;
   for (const PlotSpec& plot : results.plots) {
@@ -97,7 +101,7 @@ std::string figures_html(const std::string& folder, const Results& results) {
 std::string maps_html(const std::string& folder, const Results& results) {
   std::string html;
   for (const Picture& map : pictures_of_runs(folder, results, "maps", ".png")) {
-    const std::string title = xml_escaped(joined(map.title, map.run));
+    const std::string title = xml_escaped(caption_of(map));
     html += fmt::format(
         "<figure><img src=\"{}\" alt=\"Map: {}\" loading=\"lazy\"><figcaption>{}"
         "</figcaption></figure>\n",

@@ -14,6 +14,8 @@ struct Picture {
   std::string run;    // of a single run: "people 3, raw"
 };
 
+std::string caption_of(const Picture& picture);  // "map, people 3, raw"
+
 // The scenario's own plots, in its order, then those of single runs as people sort them.
 std::vector<Picture> figures_of(const std::string& folder, const Results& results);
 
