@@ -19,7 +19,4 @@ std::vector<Verdict> judge_all(const Results& results);
 // as data.
 bool judge_again(Results& results);
 
-// One-sided sign test: the probability of at least `wins` heads in `wins + losses` fair tosses.
-double sign_test_probability(int wins, int losses);
-
 }  // namespace mapbed

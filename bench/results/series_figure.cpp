@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include <fmt/format.h>
 
 #include "bench/results/figure_parts.h"
 #include "bench/results/series_claims.h"
-#include "bench/results/summary.h"
 #include "core/check.h"
 #include "core/config/quantity.h"
+#include "core/statistics/bootstrap.h"
+#include "core/statistics/moments.h"
 
 namespace mapbed {
 namespace {
@@ -51,11 +51,9 @@ int draw(const SeriesOfRuns& all, Unit unit, Unit x_unit, PlotSeries& line) {
       if (!std::isnan(value)) values.push_back(value);
     }
     if (values.empty()) continue;
-    const double mean =
-        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
     const Interval interval = bootstrap_interval(values);
     line.x.push_back(displayed(x, x_unit));
-    line.y.push_back(displayed(mean, unit));
+    line.y.push_back(displayed(mean_of(values), unit));
     line.low.push_back(displayed(interval.low, unit));
     line.high.push_back(displayed(interval.high, unit));
   }
