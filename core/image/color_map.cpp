@@ -4,34 +4,44 @@
 #include <array>
 #include <cmath>
 
-#include <opencv2/imgproc.hpp>
-
 namespace mapbed {
 namespace {
 
-std::array<Rgb, 256> cividis() {
-  cv::Mat levels(1, 256, CV_8U);
-  for (int level = 0; level < 256; ++level) {
-    levels.at<std::uint8_t>(0, level) = static_cast<std::uint8_t>(level);
-  }
-  cv::Mat colors;  // blue, green, red
-  cv::applyColorMap(levels, colors, cv::COLORMAP_CIVIDIS);
-  std::array<Rgb, 256> table;
-  std::transform(colors.begin<cv::Vec3b>(), colors.end<cv::Vec3b>(), table.begin(),
-                 [](const cv::Vec3b& c) {
-                   return Rgb{c[2], c[1], c[0]};
-                 });
-  return table;
+// Ottosson's Oklab: lightness, green to red, blue to yellow.
+struct Oklab {
+  double lightness, a, b;
+};
+
+constexpr Oklab kDarkBlue{0.25, -0.01, -0.13};
+constexpr Oklab kLightYellow{0.93, -0.01, 0.17};
+
+std::uint8_t srgb_byte(double linear) {
+  const double x = std::clamp(linear, 0.0, 1.0);
+  const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255.0 * encoded));
+}
+
+Rgb srgb(const Oklab& color) {
+  const auto cube = [](double x) { return x * x * x; };
+  const double l = cube(color.lightness + 0.3963377774 * color.a + 0.2158037573 * color.b);
+  const double m = cube(color.lightness - 0.1055613458 * color.a - 0.0638541728 * color.b);
+  const double s = cube(color.lightness - 0.0894841775 * color.a - 1.2914855480 * color.b);
+  return {srgb_byte(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+          srgb_byte(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+          srgb_byte(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
 }  // namespace
 
 Rgb color_of(ColorMap map, double share) {
   const double t = share > 0.0 ? std::min(share, 1.0) : 0.0;  // NaN is not > 0
-  const auto level = static_cast<std::uint8_t>(std::lround(255.0 * t));
-  if (map == ColorMap::gray) return {level, level, level};
-  static const std::array<Rgb, 256> kCividis = cividis();
-  return kCividis[level];
+  if (map == ColorMap::gray) {
+    const auto level = static_cast<std::uint8_t>(std::lround(255.0 * t));
+    return {level, level, level};
+  }
+  return srgb({std::lerp(kDarkBlue.lightness, kLightYellow.lightness, t),
+               std::lerp(kDarkBlue.a, kLightYellow.a, t),
+               std::lerp(kDarkBlue.b, kLightYellow.b, t)});
 }
 
 Rgb categorical_color(int index) {

@@ -25,7 +25,7 @@ class Band {
   Band(RgbImage& image, const cv::Rect& area)  // pixels of the picture
       : image_(image),
         area_(area),
-        mask_(cv::Mat::zeros(area.height * kFine, area.width * kFine, CV_8U)) {}
+        mask_(area.height * kFine, area.width * kFine, CV_8U, cv::Scalar(0)) {}
 
   cv::Mat& mask() { return mask_; }
   double top() const { return area_.y; }

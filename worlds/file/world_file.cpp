@@ -93,7 +93,7 @@ class WorldReader {
     std::vector<std::string> names;
     for (const WorldKind& kind : world_kinds()) names.push_back(kind.name);
     const auto index = static_cast<std::size_t>(start.choice(names));
-    return world_kinds()[index].build(options);
+    return world_kinds()[index].configure(options).make();
   }
 
   void read_plan(const ConfigNode& node) {
