@@ -13,7 +13,9 @@ namespace mapbed {
 
 // What a method believes at some point in time.
 struct Estimate {
-  Trajectory trajectory;  // map_from_robot at the stamp of every scan added so far, in order
+  // map_from_robot at the stamp of every scan that the method takes in, in order: methods in the
+  // plane leave out lasers that are not level.
+  Trajectory trajectory;
   // Where the robot was lost: the poses then do not lie right to those before.
   std::vector<TimeInterval> lost;
   // Scans whose pose is the prediction alone: the match was not trustworthy.

@@ -3,7 +3,7 @@
 #include <type_traits>
 
 #include "algorithms/motion/motion_learning.h"
-#include "algorithms/motion/odometry_estimator.h"
+#include "algorithms/odometry_estimator.h"
 #include "algorithms/rbpf/grid_slam.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "core/config/suggestion.h"

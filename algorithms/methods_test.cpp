@@ -4,6 +4,7 @@
 
 #include "algorithms/motion/motion_learning.h"
 #include "algorithms/rbpf/grid_slam.h"
+#include "core/geometry/angle.h"
 #include "core/input_error.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"
@@ -11,6 +12,7 @@
 namespace mapbed {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::ThrowsMessage;
@@ -45,6 +47,18 @@ TEST(Methods, SettingsReachTheCompleteConfiguration) {
 
 class EveryMethod : public ::testing::TestWithParam<std::string> {
  protected:
+  std::unique_ptr<Estimator> made() const {
+    return method_by_name(GetParam()).configure({}).make({}, Rng(1));
+  }
+  static RecordedLog drive() {
+    return drive_through(rectangular_room(6.0, 4.0), {{-1.0, 0.0}, {1.5, 0.5}}, {}, Rng(1));
+  }
+  static void expect_same_path(const Estimator& a, const Estimator& b) {
+    const Trajectory of_a = a.estimate().trajectory, of_b = b.estimate().trajectory;
+    ASSERT_EQ(of_a.size(), of_b.size());
+    for (std::size_t i = 0; i < of_a.size(); ++i) EXPECT_EQ(of_a[i].pose, of_b[i].pose);
+  }
+
   static Trajectory path(const Given& given) {
     const RecordedLog log = drive_through(rectangular_room(6.0, 4.0), {{-1.0, 0.0}, {1.5, 0.5}},
                                           {.forward_sigma = 0.0, .turn_sigma = 0.0}, Rng(1));
@@ -65,6 +79,47 @@ TEST_P(EveryMethod, StartsWhereItIsTold) {
   EXPECT_EQ(path_from_start.front().pose, start);
   EXPECT_THAT(path_from_start.back().pose,
               IsNear(start * path_from_origin.back().pose, Tolerance{0.05, 0.02}));
+}
+
+// Somebody walks along beside the robot.
+TEST_P(EveryMethod, TakesBeamsThatWeighNothingAsFailed) {
+  const auto weighted = made(), failed = made();
+  for (const Measurement& measurement : drive().measurements) {
+    const auto* scan = std::get_if<LaserScan>(&measurement);
+    if (scan == nullptr) {
+      weighted->add(measurement);
+      failed->add(measurement);
+      continue;
+    }
+    LaserScan with_person = *scan, with_failures = *scan;
+    std::vector<float> weights(scan->ranges.size(), 1.0F);
+    for (std::size_t beam = 30; beam < 70; ++beam) {
+      with_person.ranges[beam] = 0.6;
+      with_failures.ranges[beam] = 0.0;
+      weights[beam] = 0.0F;
+    }
+    weighted->add(with_person, weights);
+    failed->add(with_failures);
+  }
+  expect_same_path(*weighted, *failed);
+}
+
+TEST_P(EveryMethod, LeavesATiltedLaserOutAndSaysSo) {
+  const auto both = made(), level = made();
+  for (const Measurement& measurement : drive().measurements) {
+    both->add(measurement);
+    level->add(measurement);
+    if (const auto* scan = std::get_if<LaserScan>(&measurement)) {
+      LaserScan tilted = *scan;
+      tilted.laser = 1;
+      tilted.robot_from_laser.pitch = radians(10.0);
+      for (double& range : tilted.ranges) range = std::min(range, 1.5);  // the floor
+      both->add(tilted);
+    }
+  }
+  expect_same_path(*both, *level);
+  EXPECT_THAT(both->estimate().remarks, Contains(HasSubstr("laser 1 is tilted by 10 degrees")));
+  EXPECT_THAT(level->estimate().remarks, Not(Contains(HasSubstr("laser"))));
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,

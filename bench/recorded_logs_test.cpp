@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/scan/hit_points.h"
+#include "algorithms/scan/surface_points.h"
 #include "algorithms/scan_matching/correlative_matcher.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "bench/metrics/relations.h"

@@ -1,9 +1,9 @@
+#include "algorithms/field/bound_pyramid.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <tbb/parallel_for.h>
-
-#include "algorithms/scan_matching/correlative_matcher.h"
 
 namespace mapbed {
 namespace {

@@ -35,30 +35,6 @@ std::vector<std::size_t> select_local_scans(const std::vector<Pose2>& poses,
   return selected;
 }
 
-Eigen::Vector2d tangent_of(const Eigen::Vector2d& mean_doubled) {
-  constexpr double kMinAgreement = 0.5;
-  const double agreement = mean_doubled.norm();
-  if (agreement < kMinAgreement) return Eigen::Vector2d::Zero();
-  const double c = mean_doubled.x() / agreement;
-  return {std::sqrt(0.5 * (1.0 + c)),
-          std::copysign(std::sqrt(std::max(0.0, 0.5 * (1.0 - c))), mean_doubled.y())};
-}
-
-std::vector<SurfacePoint> transformed(const std::vector<SurfacePoint>& points_in_b,
-                                      const Pose2& a_from_b) {
-  const double c = std::cos(a_from_b.theta), s = std::sin(a_from_b.theta);
-  const double c2 = c * c - s * s, s2 = 2.0 * c * s;
-  std::vector<SurfacePoint> points_in_a;
-  points_in_a.reserve(points_in_b.size());
-  for (const SurfacePoint& point : points_in_b) {
-    const Eigen::Vector2d& p = point.position;
-    const Eigen::Vector2d& d = point.doubled;
-    points_in_a.push_back({{a_from_b.x + c * p.x() - s * p.y(), a_from_b.y + s * p.x() + c * p.y()},
-                           {c2 * d.x() - s2 * d.y(), s2 * d.x() + c2 * d.y()}});
-  }
-  return points_in_a;
-}
-
 void SurfaceMeans::count(const SurfacePoint& point, int sign) {
   const CellIndex index = grid_.cell_of(point.position);
   Cell& cell = grid_.at(index);

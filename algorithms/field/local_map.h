@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "algorithms/grid/tiled_grid.h"
+#include "algorithms/scan/surface_points.h"
 #include "core/config/option.h"
 #include "core/geometry/pose2.h"
 
@@ -43,20 +44,6 @@ std::vector<std::size_t> select_local_scans(const std::vector<Pose2>& poses,
 
 // Whether a scan at `pose` is far enough from the one integrated before it.
 bool is_far_enough(const Pose2& integrated, const Pose2& pose, const LocalMapOptions& options);
-
-// A point of a surface that a scan saw. The line through it and its neighbours is kept by its
-// direction at twice the angle, (cos 2a, sin 2a), so that directions can be averaged: the mean's
-// length tells how well they agree. Zero: no line is known.
-struct SurfacePoint {
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // [m]
-  Eigen::Vector2d doubled = Eigen::Vector2d::Zero();
-};
-
-// The unit vector along the line of an averaged direction; zero where the directions do not agree.
-Eigen::Vector2d tangent_of(const Eigen::Vector2d& mean_doubled);
-
-std::vector<SurfacePoint> transformed(const std::vector<SurfacePoint>& points_in_b,
-                                      const Pose2& a_from_b);
 
 // The surfaces of a local map, one point for each cell that was hit: the mean of the points that
 // fell in. Averaging takes out the noise of single scans and makes the map independent of how often

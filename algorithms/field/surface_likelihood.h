@@ -7,6 +7,7 @@
 #include "algorithms/field/surface_map.h"
 #include "algorithms/motion/pose_prior.h"
 #include "algorithms/scan/hit_points.h"
+#include "algorithms/scan/surface_points.h"
 #include "core/config/option.h"
 #include "core/sensor/laser_scan.h"
 

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "algorithms/field/local_map.h"
+#include "algorithms/scan/surface_points.h"
 #include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"

@@ -21,7 +21,8 @@ using ScanList = std::vector<const LaserScan*>;
 ScanList scans_of(const SensorLog& log) {
   ScanList scans;
   for (const Measurement& measurement : log) {
-    if (const auto* scan = std::get_if<LaserScan>(&measurement)) scans.push_back(scan);
+    const auto* scan = std::get_if<LaserScan>(&measurement);
+    if (scan != nullptr && scan->robot_from_laser.is_level()) scans.push_back(scan);
   }
   return scans;
 }

@@ -37,7 +37,7 @@ void visit_fields(MapOptions& o, Visitor&& visit) {
 OccupancyMap build_map(std::span<const LaserScan> scans, const Trajectory& map_from_robot,
                        const MapOptions& options = {});
 
-// The same of the scans in a log.
+// The same of the scans in a log, but for those of lasers that are not level.
 OccupancyMap build_map(const SensorLog& log, const Trajectory& map_from_robot,
                        const MapOptions& options = {});
 

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algorithms/rbpf/testing/drives.h"
 #include "algorithms/scan/hit_points.h"
+#include "algorithms/scan/surface_points.h"
+#include "algorithms/testing/furnished_room.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"
 

@@ -1,5 +1,7 @@
 #include "algorithms/motion/pose_prior.h"
 
+#include <Eigen/Dense>
+
 #include "core/check.h"
 
 namespace mapbed {
@@ -17,6 +19,14 @@ PosePrior independent_prior(const Pose2& mean, double sigma_forward, double sigm
   prior.information.diagonal() << 1.0 / (sigma_forward * sigma_forward),
       1.0 / (sigma_left * sigma_left), 1.0 / (sigma_turn * sigma_turn);
   return prior;
+}
+
+PosePrior fused(const PosePrior& a, const PosePrior& b) {
+  const Eigen::Matrix3d information = a.information + b.information;
+  const Pose2 off = motion_between(a.mean, b.mean);
+  const Eigen::Vector3d step =
+      information.ldlt().solve(b.information * Eigen::Vector3d(off.x, off.y, off.theta));
+  return {.mean = a.mean * Pose2{step.x(), step.y(), step.z()}, .information = information};
 }
 
 }  // namespace mapbed

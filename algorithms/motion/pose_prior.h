@@ -20,4 +20,7 @@ struct PosePrior {
 PosePrior independent_prior(const Pose2& mean, double sigma_forward, double sigma_left,
                             double sigma_turn);
 
+// What two beliefs about one pose say together, to first order in their difference.
+PosePrior fused(const PosePrior& a, const PosePrior& b);
+
 }  // namespace mapbed

@@ -33,7 +33,8 @@ void GridSlam::add(const Measurement& measurement, std::span<const float> beam_w
   if (const auto* odometry = std::get_if<Odometry>(&measurement)) {
     condenser_.add(troubles_.without_jumps(*odometry));
   }
-  if (const auto* scan = std::get_if<LaserScan>(&measurement)) {
+  const auto* scan = std::get_if<LaserScan>(&measurement);
+  if (scan != nullptr && lasers_.take(*scan)) {
     add_scan(beam_weights.empty() ? *scan : with_failed_beams(*scan, beam_weights));
   }
 }
@@ -42,12 +43,11 @@ void GridSlam::add_scan(const LaserScan& scan) {
   const std::vector<Eigen::Vector2d> hits = hit_points(scan, options_.points);
   const ScanCondenser::Result condensed = condenser_.add(scan);
   troubles_.scan(scan.time, condensed.step, hits.size() >= kMinHits);
+  if (condensed.update) update(scan, *condensed.update);
+  if (!options_.refinement.enabled) return;
   KeptHits& kept = hits_.emplace_back();
-  if (condensed.update) {
-    update(scan, *condensed.update);
-  } else {
-    for (const Eigen::Vector2d& hit : hits) kept.push_back(hit.cast<float>());
-  }
+  if (condensed.update) return;
+  for (const Eigen::Vector2d& hit : hits) kept.push_back(hit.cast<float>());
 }
 
 void GridSlam::update(const LaserScan& scan, const UpdateMotion& motion) {
@@ -216,7 +216,7 @@ const Particle& GridSlam::best() const {
 Pose2 GridSlam::pose() const {
   if (particles_.empty()) return start_;
   return best().pose * motion_between(condenser_.updates().back().seen_from_robot,
-                                      condenser_.scans().back().seen_from_robot);
+                                      condenser_.scans().back().track_from_robot);
 }
 
 std::vector<GridSlam::Motion> GridSlam::motions() const {
@@ -239,17 +239,32 @@ Hypotheses GridSlam::hypotheses() const {
   return {branches_of(pasts(), updates_), diversity_of(pasts(), updates_)};
 }
 
+Track GridSlam::track() const {
+  Track track{.scans = condenser_.scans(),
+              .track_from_anchors = {},
+              .breaks = breaks_,
+              .errors = motion_errors()};
+  for (const ScanCondenser::Update& update : condenser_.updates()) {
+    track.track_from_anchors.push_back(update.seen_from_robot);
+  }
+  return track;
+}
+
 Estimate GridSlam::estimate() const {
   if (particles_.empty()) return {};
-  const SettledPath path =
-      settled_path(path_of(*best().history), condenser_.updates(), weighting_scans_, breaks_,
-                   motion_errors(), options_.settling);
+  const std::vector<Pose2> path = path_of(*best().history);
+  const Track track = this->track();
   Estimate result;
-  result.trajectory = with_scans_between(path, condenser_.updates(), condenser_.scans(), hits_,
-                                         breaks_, motion_errors(), options_.settling);
+  if (options_.refinement.enabled) {
+    const RefinedPath better = refined(path, weighting_scans_, track, options_.refinement);
+    result.trajectory = refined_trajectory(better, track, hits_, options_.refinement);
+  } else {
+    result.trajectory = carried_trajectory(track, path);
+  }
   result.untrusted_scans = condenser_.untrusted_scans();
   result.lost = troubles_.lost();
-  result.remarks = troubles_.remarks();
+  result.remarks = lasers_.remarks();
+  for (std::string& remark : troubles_.remarks()) result.remarks.push_back(std::move(remark));
   const auto resamplings = std::count_if(updates_.begin(), updates_.end(),
                                          [](const Diversity& u) { return u.resampled; });
   result.remarks.push_back(

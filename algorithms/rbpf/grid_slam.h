@@ -13,15 +13,17 @@
 #include "algorithms/rbpf/recovery.h"
 #include "algorithms/rbpf/scan_condenser.h"
 #include "algorithms/rbpf/troubles.h"
-#include "algorithms/refinement/settled_estimate.h"
+#include "algorithms/refinement/trajectory_refinement.h"
+#include "algorithms/scan/level_lasers.h"
 
 namespace mapbed {
 
 // Rao-Blackwellised particle filter, chapter 5: each particle is a path and the map built along it.
 // Between updates scans are matched once for all particles; at an update the particles move, the
 // scan weights them by its end points in their own maps (5.2); it enters those maps with the update
-// after. Every scan of the log gets a pose: those between updates are matched with the map of the
-// path that is asked for, between the updates about them.
+// after. Every scan of the log gets a pose: those between updates are carried from the updates
+// about them. With refinement.enabled the path that is asked for is refined, and they are matched
+// with its map.
 //
 // Where the robot may be anywhere (odometry jumped, scans were missing, the map explains nothing),
 // it is looked for in the whole map, and the particles start again where it is found: recovery.h.
@@ -63,6 +65,7 @@ class GridSlam : public Estimator {
   void keep_best_only();
   const Particle& best() const;
   std::vector<const HistoryNode*> pasts() const;
+  Track track() const;
   const MotionModelOptions& motion_errors() const {
     return options_.proposal == Proposal::odometry ? options_.odometry_errors
                                                    : options_.matching_errors;
@@ -72,15 +75,16 @@ class GridSlam : public Estimator {
   Rng rng_;
   Pose2 start_;
   SurfaceLikelihood likelihood_;
+  LevelLasers lasers_;
   Troubles troubles_;
   ScanCondenser condenser_;
   std::vector<Particle> particles_;
-  std::vector<KeptHits> hits_;                     // of each scan; none where it made an update
+  std::vector<KeptHits> hits_;                     // for refinement, of each scan but updates
   std::vector<ScanForWeighting> weighting_scans_;  // of the updates
   std::vector<Diversity> updates_;                 // the ancestors are not counted
   LoopDetector loop_detector_;
   std::optional<Recovery> recovery_;  // since a trouble
-  std::vector<Break> breaks_;
+  std::vector<Track::Break> breaks_;
 };
 
 }  // namespace mapbed

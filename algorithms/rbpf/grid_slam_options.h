@@ -7,7 +7,7 @@
 #include "algorithms/rbpf/loop_closing.h"
 #include "algorithms/rbpf/proposal.h"
 #include "algorithms/rbpf/troubles.h"
-#include "algorithms/refinement/settling.h"
+#include "algorithms/refinement/trajectory_refinement.h"
 #include "algorithms/scan/hit_points.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "core/config/option.h"
@@ -34,7 +34,7 @@ struct GridSlamOptions {
   IncrementalMatcherOptions matcher{.local_map = {.max_scans = 40}};
   bool best_only_after_loop = false;
   LoopClosingOptions loop_closing;
-  SettlingOptions settling;
+  RefinementOptions refinement;
   TroubleOptions troubles;
   RelocalizationOptions relocalization;
 };
@@ -62,7 +62,7 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
   visit("loop_closing", o.loop_closing, "when a loop is closed, for best_only_after_loop");
   visit("troubles", o.troubles, "when the filter says that something is wrong");
   visit("relocalization", o.relocalization, "how a robot that was carried away finds itself again");
-  visit("settling", o.settling, "what the drawing of particles left in the estimated path");
+  visit("refinement", o.refinement, "what the drawing of particles left in the estimated path");
 }
 
 }  // namespace mapbed

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/motion/odometry_track.h"
+#include "algorithms/motion/track.h"
 #include "algorithms/rbpf/proposal.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 
@@ -42,12 +43,6 @@ class ScanCondenser {
   // least they lie right to each other.
   void forget_past();
 
-  struct Scan {
-    double time = 0.0;
-    Pose2 seen_from_robot;    // by odometry and scan matching alone
-    std::size_t updates = 0;  // made before this scan, or with it
-    bool is_update = false;
-  };
   struct Update {
     double time = 0.0;
     Pose2 track_from_robot;
@@ -56,7 +51,8 @@ class ScanCondenser {
     double condensed_until = 0.0;  // [s] stamp of that
     bool is_condensed = false;     // there was one, and the matcher does not know the update's scan
   };
-  const std::vector<Scan>& scans() const { return scans_; }
+  // The anchors are the updates.
+  const std::vector<Track::Scan>& scans() const { return scans_; }
   const std::vector<Update>& updates() const { return updates_; }
   // Scans that fitted nowhere or, where scans are not matched, had no odometry.
   int untrusted_scans() const { return matcher_.untrusted_scans() + unmoved_scans_; }
@@ -80,7 +76,7 @@ class ScanCondenser {
   OdometryTrack odometry_;
   IncrementalMatcher matcher_;
   Place newest_;
-  std::vector<Scan> scans_;
+  std::vector<Track::Scan> scans_;
   std::vector<Update> updates_;
   Pose2 track_from_robot_;   // at the last scan that was matched
   int condensed_scans_ = 0;  // since the last update

@@ -69,7 +69,7 @@ TEST(ScanCondenser, GoesOnFromTheLastMatchedScanAfterAnUpdate) {
   const ScanCondenser::Result due = drive.step(0.2);
   ASSERT_TRUE(due.update);
   EXPECT_THAT(due.update->condensed, IsNear(Pose2{0.4, 0.0, 0.0}, kMatched));
-  EXPECT_THAT(drive.condenser.scans().back().seen_from_robot,
+  EXPECT_THAT(drive.condenser.scans().back().track_from_robot,
               IsNear(Pose2{1.2, 0.0, 0.0}, kMatched));
 }
 
@@ -93,7 +93,7 @@ TEST(ScanCondenser, TheStandardFilterMovesByOdometryAlone) {
   const ScanCondenser::Result due = drive.step(0.4);
   ASSERT_TRUE(due.update);
   EXPECT_THAT(due.update->whole, IsNear(Pose2{0.88, 0.0, 0.0}, kExact));
-  EXPECT_THAT(drive.condenser.scans().back().seen_from_robot, IsNear(drive.odometry, kExact));
+  EXPECT_THAT(drive.condenser.scans().back().track_from_robot, IsNear(drive.odometry, kExact));
 }
 
 TEST(ScanCondenser, ATurnMakesAnUpdateToo) {

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "algorithms/field/local_map.h"
 #include "core/config/option.h"
+#include "core/geometry/pose2.h"
 #include "core/sensor/laser_scan.h"
 
 namespace mapbed {
@@ -32,13 +32,6 @@ std::vector<Eigen::Vector2d> hit_points(const LaserScan& scan, const HitPointOpt
 
 // All of them nearer than max_range.
 std::vector<Eigen::Vector2d> all_hit_points(const LaserScan& scan, double max_range);
-
-// The surface that the scan saw, for building maps: all hits nearer than max_range, and between
-// neighbouring ones points every `spacing` [m], where they are not more than max_gap [m] apart or
-// lie on one straight wall, seen at a grazing angle. Each knows the line through the hits about it,
-// as far as they follow each other without a larger gap.
-std::vector<SurfacePoint> surface_points(const LaserScan& scan, double max_range, double max_gap,
-                                         double spacing);
 
 std::vector<Eigen::Vector2d> transformed(const std::vector<Eigen::Vector2d>& points_in_b,
                                          const Pose2& a_from_b);

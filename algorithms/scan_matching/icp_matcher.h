@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "algorithms/field/local_map.h"
 #include "algorithms/motion/pose_prior.h"
+#include "algorithms/scan/surface_points.h"
 #include "algorithms/scan_matching/scan_matcher.h"
 #include "core/config/option.h"
 

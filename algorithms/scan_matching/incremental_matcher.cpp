@@ -23,13 +23,17 @@ IncrementalMatcher::IncrementalMatcher(const IncrementalMatcherOptions& options,
 
 void IncrementalMatcher::add(const Measurement& measurement, std::span<const float> beam_weights) {
   if (const auto* odometry = std::get_if<Odometry>(&measurement)) odometry_.add(*odometry);
-  if (const auto* scan = std::get_if<LaserScan>(&measurement)) {
+  const auto* scan = std::get_if<LaserScan>(&measurement);
+  if (scan != nullptr && lasers_.take(*scan)) {
     add_scan(beam_weights.empty() ? *scan : with_failed_beams(*scan, beam_weights));
   }
 }
 
 Estimate IncrementalMatcher::estimate() const {
-  return {.trajectory = trajectory_, .untrusted_scans = untrusted_scans_};
+  return {.trajectory = trajectory_,
+          .lost = {},
+          .untrusted_scans = untrusted_scans_,
+          .remarks = lasers_.remarks()};
 }
 
 std::optional<Pose2> IncrementalMatcher::odometry_at(double time) const {

@@ -10,6 +10,8 @@
 #include "algorithms/motion/motion_prior.h"
 #include "algorithms/motion/odometry_track.h"
 #include "algorithms/scan/hit_points.h"
+#include "algorithms/scan/level_lasers.h"
+#include "algorithms/scan/surface_points.h"
 #include "algorithms/scan_matching/correlative_matcher.h"
 #include "algorithms/scan_matching/icp_matcher.h"
 #include "algorithms/scan_matching/scan_matcher.h"
@@ -96,6 +98,7 @@ class IncrementalMatcher : public Estimator {
   const BoundPyramid& pyramid();
 
   IncrementalMatcherOptions options_;
+  LevelLasers lasers_;
   OdometryTrack odometry_;
   Pose2 map_from_robot_;
   ScanMatch last_match_;

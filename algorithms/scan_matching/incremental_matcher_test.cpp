@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "algorithms/motion/odometry_estimator.h"
+#include "algorithms/odometry_estimator.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"
 

@@ -8,6 +8,7 @@
 
 #include "algorithms/field/local_map.h"
 #include "algorithms/scan/hit_points.h"
+#include "algorithms/scan/surface_points.h"
 #include "algorithms/scan_matching/scan_matcher.h"
 #include "core/testing/test_room.h"
 

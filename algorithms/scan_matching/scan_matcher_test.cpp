@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/scan/hit_points.h"
+#include "algorithms/scan/surface_points.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"
 

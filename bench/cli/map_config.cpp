@@ -28,6 +28,14 @@ bool is_accepted(Try&& apply_it) {
   }
 }
 
+// A map for use is worth the time that refinement takes; comparisons leave it out by default.
+Settings with_refinement(const Method& method, Settings of_method) {
+  const Setting refined{"refinement.enabled", "true", {}};
+  const bool refines = is_accepted([&] { (void)method.configure({refined}); });
+  if (refines) of_method.insert(of_method.begin(), refined);
+  return of_method;
+}
+
 // 'particles=30' of somebody who means 'rbpf.particles=30'.
 void check_group_is_named(const Settings& own, const Method& method) {
   for (const Setting& setting : own) {
@@ -77,7 +85,7 @@ MapConfig map_config_from(const Settings& settings, MapConfig config) {
     setting.path.erase(0, group.size() + 1);
     of_method.push_back(std::move(setting));
   }
-  config.configured = method.configure(of_method);
+  config.configured = method.configure(with_refinement(method, std::move(of_method)));
   return config;
 }
 

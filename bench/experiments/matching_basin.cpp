@@ -6,6 +6,7 @@
 #include "algorithms/field/likelihood_field.h"
 #include "algorithms/field/local_map.h"
 #include "algorithms/scan/hit_points.h"
+#include "algorithms/scan/surface_points.h"
 #include "algorithms/scan_matching/correlative_matcher.h"
 #include "algorithms/scan_matching/icp_matcher.h"
 #include "algorithms/scan_matching/scan_matcher.h"

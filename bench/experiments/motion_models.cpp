@@ -27,7 +27,7 @@ struct MotionModelsExperiment {
   // Its motions alone count, not where they lead to.
   GridSlamOptions filter{
       .particles = 1, .proposal = Proposal::scan_matching, .relocalization = {.max_updates = 0}};
-  GridSlamOptions reference;
+  GridSlamOptions reference{.refinement = {.enabled = true}};
 };
 
 template <class Visitor>

@@ -5,6 +5,7 @@
 
 #include "algorithms/field/local_map.h"
 #include "algorithms/scan/hit_points.h"
+#include "algorithms/scan/surface_points.h"
 #include "algorithms/scan_matching/correlative_matcher.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "algorithms/scan_matching/scan_matcher.h"

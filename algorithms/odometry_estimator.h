@@ -1,6 +1,7 @@
 #pragma once
 
 #include "algorithms/estimator.h"
+#include "algorithms/scan/level_lasers.h"
 #include "core/config/option.h"
 
 namespace mapbed {
@@ -30,6 +31,7 @@ class OdometryEstimator : public Estimator {
  private:
   OdometryOptions options_;
   Pose2 start_;
+  LevelLasers lasers_;
   Trajectory odometry_;              // odometry_from_robot
   std::vector<double> scan_stamps_;  // [s]
 };

@@ -1,4 +1,4 @@
-#include "algorithms/refinement/settling.h"
+#include "algorithms/refinement/trajectory_refinement.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,31 +50,50 @@ std::vector<Pose2> poses_of(const std::vector<PathStep>& steps) {
   return poses;
 }
 
-TEST(Settling, TakesOutWhatDrawingAdded) {
+TEST(TrajectoryRefinement, TakesOutWhatDrawingAdded) {
   const Walk walk = walk_with_errors(0.02, 0.01);
   const double before = mean_error(walk.truth, poses_of(walk.steps));
-  const double after = mean_error(walk.truth, settled(walk.steps, {}, {}).poses);
+  const double after = mean_error(walk.truth, refined(walk.steps, {}, {}).poses);
   EXPECT_GT(before, 0.02);
   EXPECT_LT(after, 0.25 * before);
 }
 
-TEST(Settling, LeavesAPathThatFitsWhereItIs) {
+TEST(TrajectoryRefinement, LeavesAPathThatFitsWhereItIs) {
   const Walk walk = walk_with_errors(0.0, 0.0);
-  const std::vector<Pose2> path = settled(walk.steps, {}, {}).poses;
+  const std::vector<Pose2> path = refined(walk.steps, {}, {}).poses;
   for (std::size_t i = 0; i < path.size(); ++i) {
     EXPECT_THAT(path[i], IsNear(walk.truth[i], Tolerance{0.005, 0.003}));
   }
 }
 
-TEST(Settling, WithoutRoundsIsThePathAsItWasDrawn) {
+TEST(TrajectoryRefinement, WithoutRoundsIsThePathAsItWasDrawn) {
   const Walk walk = walk_with_errors(0.02, 0.01);
-  EXPECT_EQ(settled(walk.steps, {}, {.rounds = 0}).poses, poses_of(walk.steps));
+  EXPECT_EQ(refined(walk.steps, {}, {.rounds = 0}).poses, poses_of(walk.steps));
 }
 
-TEST(Settling, OfOnePoseLeavesIt) {
+TEST(TrajectoryRefinement, OfOnePoseLeavesIt) {
   const ScanForWeighting nothing;
   const std::vector<PathStep> path{{{1.0, 2.0, 0.3}, {}, &nothing}};
-  EXPECT_EQ(settled(path, {}, {}).poses, poses_of(path));
+  EXPECT_EQ(refined(path, {}, {}).poses, poses_of(path));
+}
+
+TEST(TrajectoryRefinement, ScansBetweenAnchorsAreMatchedWithTheMapOfThePath) {
+  const TestRoom room = rectangular_room(6.0, 4.0);
+  const auto seen_at = [&](const Pose2& pose) {
+    return scan_for_weighting(scan_of(room, pose), {}, {}, 0.1);
+  };
+  const Pose2 start{-0.5, 0.2, 0.1}, truth{-0.2, 0.3, 0.15};
+  KeptHits hits;
+  for (const Eigen::Vector2d& hit : seen_at(truth).hits) hits.push_back(hit.cast<float>());
+  // The motion that was seen is 6 cm too long; motions are held to be right to 5 cm, the scan to
+  // 1 or 2: it leaves a tenth of the error at most.
+  const Pose2 seen = motion_between(start, truth) * Pose2{0.06, 0.0, 0.0};
+  const Track track{.scans = {{.anchors = 1, .is_anchor = true},
+                              {.time = 1.0, .track_from_robot = seen, .anchors = 1}},
+                    .track_from_anchors = {{}}};
+  const RefinedPath path = refined({start}, {seen_at(start)}, track, {});
+  const Trajectory trajectory = refined_trajectory(path, track, {{}, hits}, {});
+  EXPECT_THAT(trajectory[1].pose, IsNear(truth, Tolerance{0.015, 0.015}));
 }
 
 }  // namespace

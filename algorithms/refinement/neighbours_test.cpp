@@ -3,19 +3,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "algorithms/refinement/settling.h"
+#include "algorithms/refinement/trajectory_refinement.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"
 
 namespace mapbed {
 namespace {
 
-class SettlingBetweenNeighbours : public ::testing::Test {
+class RefinementBetweenNeighbours : public ::testing::Test {
  protected:
   // Three steps of 1 m straight on; the one after is drawn 0.3 m to the left.
-  SettledPath settled_once() const {
+  RefinedPath refined_once() const {
     const Pose2 ahead{1.0, 0.0, 0.0};
-    return settled({{{0.0, 0.0, 0.0}, {}, &blind_},
+    return refined({{{0.0, 0.0, 0.0}, {}, &blind_},
                     {{1.0, 0.1, 0.0}, ahead, &blind_},
                     {{2.0, 0.3, 0.0}, ahead, &blind_}},
                    {}, {.rounds = 1});
@@ -23,38 +23,30 @@ class SettlingBetweenNeighbours : public ::testing::Test {
   ScanForWeighting blind_;
 };
 
-TEST_F(SettlingBetweenNeighbours, APoseLiesBetweenWhatThoseBeforeAndAfterSay) {
-  const SettledPath path = settled_once();
+TEST_F(RefinementBetweenNeighbours, APoseLiesBetweenWhatThoseBeforeAndAfterSay) {
+  const RefinedPath path = refined_once();
   // Both say it with the same spread: (1, 0) from before, (1, 0.3) from after.
   EXPECT_NEAR(path.poses[1].x, 1.0, 0.03);
   EXPECT_NEAR(path.poses[1].y, 0.15, 0.01);
 }
 
-TEST_F(SettlingBetweenNeighbours, TheFirstPoseHoldsThePath) {
-  EXPECT_THAT(settled_once().poses[0], IsNear(Pose2{}, Tolerance{1e-12, 1e-12}));
+TEST_F(RefinementBetweenNeighbours, TheFirstPoseHoldsThePath) {
+  EXPECT_THAT(refined_once().poses[0], IsNear(Pose2{}, Tolerance{1e-12, 1e-12}));
 }
 
-TEST_F(SettlingBetweenNeighbours, TheLastPoseFollowsTheOneBefore) {
-  const SettledPath path = settled_once();
+TEST_F(RefinementBetweenNeighbours, TheLastPoseFollowsTheOneBefore) {
+  const RefinedPath path = refined_once();
   const Pose2 expected = path.poses[1] * Pose2{1.0, 0.0, 0.0};
   EXPECT_THAT(path.poses[2], IsNear(expected, Tolerance{1e-6, 1e-6}));
 }
 
-TEST(Together, TheSurerBeliefCountsMore) {
-  const PosePrior sure{.mean = {1.0, 0.0, 0.0}, .information = 3.0 * Eigen::Matrix3d::Identity()};
-  const PosePrior unsure{.mean = {2.0, 0.4, 0.0}, .information = Eigen::Matrix3d::Identity()};
-  const PosePrior both = together(sure, unsure);
-  EXPECT_THAT(both.mean, IsNear(Pose2{1.25, 0.1, 0.0}, Tolerance{1e-12, 1e-12}));
-  EXPECT_TRUE(both.information.isApprox(4.0 * Eigen::Matrix3d::Identity()));
-}
-
-TEST(SettledBeside, AScanWithoutHitsStaysWhereItWasCarried) {
+TEST(MatchedBeside, AScanWithoutHitsStaysWhereItWasCarried) {
   const PosePrior prior{.mean = {1.0, 2.0, 0.5}, .information = Eigen::Matrix3d::Identity()};
-  EXPECT_THAT(settled_beside({}, prior, SurfaceMap(0.1), {}),
+  EXPECT_THAT(matched_beside({}, prior, SurfaceMap(0.1), {}),
               IsNear(prior.mean, Tolerance{1e-9, 1e-9}));
 }
 
-TEST(SettledBeside, AScanIsMovedToWhereItFits) {
+TEST(MatchedBeside, AScanIsMovedToWhereItFits) {
   const TestRoom room = rectangular_room(6.0, 4.0);
   const Pose2 truth{0.3, -0.4, 0.2};
   const ScanForWeighting scan = scan_for_weighting(scan_of(room, truth), {}, {}, 0.1);
@@ -62,7 +54,7 @@ TEST(SettledBeside, AScanIsMovedToWhereItFits) {
   map.add(scan.surface, truth);
   const PosePrior prior{.mean = truth * Pose2{0.04, -0.03, 0.02},
                         .information = Eigen::Vector3d(100.0, 100.0, 400.0).asDiagonal()};
-  EXPECT_THAT(settled_beside(scan.hits, prior, map, {}), IsNear(truth, Tolerance{0.01, 0.005}));
+  EXPECT_THAT(matched_beside(scan.hits, prior, map, {}), IsNear(truth, Tolerance{0.01, 0.005}));
 }
 
 }  // namespace

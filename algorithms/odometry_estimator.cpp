@@ -1,4 +1,4 @@
-#include "algorithms/motion/odometry_estimator.h"
+#include "algorithms/odometry_estimator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ void OdometryEstimator::add(const Measurement& measurement, std::span<const floa
     CHECK(odometry_.empty() || reading->time >= odometry_.back().time);
     odometry_.push_back({reading->time, reading->odometry_from_robot});
   } else if (const auto* scan = std::get_if<LaserScan>(&measurement)) {
-    scan_stamps_.push_back(scan->time);
+    if (lasers_.take(*scan)) scan_stamps_.push_back(scan->time);
   }
 }
 
@@ -59,7 +59,7 @@ Pose2 OdometryEstimator::pose() const {
 }
 
 Estimate OdometryEstimator::estimate() const {
-  Estimate result;
+  Estimate result{.remarks = lasers_.remarks()};
   if (scan_stamps_.empty()) return result;
   if (odometry_.empty()) {
     for (const double time : scan_stamps_) result.trajectory.push_back({time, start_});
@@ -72,7 +72,9 @@ Estimate OdometryEstimator::estimate() const {
     result.trajectory.push_back({time, map_from_odometry * held_at(odometry_, time)});
     if (time < odometry_.front().time || time > odometry_.back().time) ++result.untrusted_scans;
   }
-  result.remarks = remarks_on(scan_stamps_, odometry_, options_.longest_gap);
+  for (std::string& remark : remarks_on(scan_stamps_, odometry_, options_.longest_gap)) {
+    result.remarks.push_back(std::move(remark));
+  }
   return result;
 }
 

@@ -1,4 +1,4 @@
-#include "algorithms/motion/odometry_estimator.h"
+#include "algorithms/odometry_estimator.h"
 
 #include <gmock/gmock.h>
 
