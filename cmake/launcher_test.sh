@@ -22,8 +22,10 @@ fresh() {
   : >"$work/calls"
   chmod 666 "$work/calls"
   cp "$source_dir/mapbed" "$source_dir/debian-packages.txt" "$tree"
+  touch -d '1 minute ago' "$tree"/*
   local tool
-  for tool in bash env cat chmod grep sed tee mkdir dirname readlink flock head nproc setpriv sleep tail; do
+  for tool in bash env cat chmod find grep sed tee mkdir mv dirname readlink flock head nproc setpriv \
+    sleep tail; do
     ln -s "$(command -v "$tool")" "$bin/$tool"
   done
   export FAKE_CALLS=$work/calls FAKE_MISSING='' FAKE_UNKNOWN=''
@@ -115,6 +117,33 @@ configures_once() {
   run "$tree/mapbed" list
   run "$tree/mapbed" list
   expect "one call of cmake" test "$(grep -c ^cmake "$work/calls")" == 1
+}
+
+starts_at_once_where_nothing_changed() {
+  mkdir -p "$tree/core" "$tree/.git"
+  echo first >"$tree/.git/HEAD"
+  run "$tree/mapbed" list
+  echo 'echo "dpkg-query $*" >>"$FAKE_CALLS"' >>"$bin/dpkg-query"
+  : >"$work/calls"
+  run "$tree/mapbed" map log.clf
+  expect_status 7
+  expect "the arguments alone come out" test "$output" == "<map><log.clf>"
+  expect "builds nothing, asks for no package" test ! -s "$work/calls"
+}
+
+builds_again_after_any_change() {
+  mkdir -p "$tree/core/geometry" "$tree/.git"
+  echo first >"$tree/.git/HEAD"
+  local change
+  for change in 'echo >core/geometry/new.cpp' 'rm core/geometry/new.cpp' 'echo second >.git/HEAD' \
+    'touch debian-packages.txt' 'rm build/release/bench/mapbed' 'true'; do
+    run "$tree/mapbed" list
+    : >"$work/calls"
+    (cd "$tree" && sleep 0.01 && eval "$change")
+    run "$tree/mapbed" list
+    if [[ $change == true ]]; then expect_no_call ninja; else expect_call "ninja"; fi
+    expect_status 7
+  done
 }
 
 configures_anew_where_the_clone_was_moved() {
@@ -253,6 +282,7 @@ lists_every_package_under_third_party() {
 }
 
 for test in passes_arguments_and_exit_status_on works_from_any_folder_and_through_a_link configures_once \
+  starts_at_once_where_nothing_changed builds_again_after_any_change \
   configures_anew_where_the_clone_was_moved builds_tests_for_test_only takes_warnings_as_errors_in_ci \
   says_what_and_how_much_before_it_installs needs_test_packages_for_test_only asks_on_a_terminal \
   does_not_install_unasked_without_a_terminal says_who_can_install_without_root_and_sudo \
