@@ -1,15 +1,8 @@
 #pragma once
 
-#include <functional>
-
-namespace CLI {
-class App;
-}
-
 namespace mapbed {
 
-// What the command line asks for, done after all of it has been read; gives the exit status.
-using Action = std::function<int()>;
+struct Command;
 
 // The exit status of the program.
 enum ExitStatus : int {
@@ -19,14 +12,14 @@ enum ExitStatus : int {
   kInterrupted = 3,
 };
 
-// Each adds its command to the program; where that is chosen, `action` becomes what it does.
-void add_evaluate_command(CLI::App& program, Action& action);
-void add_list_command(CLI::App& program, Action& action);
-void add_describe_command(CLI::App& program, Action& action);
-void add_map_command(CLI::App& program, Action& action);
-void add_render_command(CLI::App& program, Action& action);
-void add_report_command(CLI::App& program, Action& action);
-void add_run_command(CLI::App& program, Action& action);
-void add_simulate_command(CLI::App& program, Action& action);
+// Each command of the program, with its options and what it does.
+Command evaluate_command();
+Command list_command();
+Command describe_command();
+Command map_command();
+Command render_command();
+Command report_command();
+Command run_command();
+Command simulate_command();
 
 }  // namespace mapbed

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/metrics/evaluation.h"
 #include "core/file/atomic_file.h"
@@ -98,67 +98,69 @@ int evaluate(const EvaluateArguments& arguments) {
   return kDone;
 }
 
+// Options that can only be judged together.
+void check(EvaluateArguments& arguments) {
+  if (arguments.relations.empty() && arguments.truth.empty()) {
+    throw InputError("evaluate needs something to compare with; give --relations or --truth");
+  }
+  check_finite(arguments);
+  RelativeErrorOptions& relative = arguments.truth_options.relative;
+  relative.unit = arguments.delta_unit == "m" ? PathUnit::meters : PathUnit::frames;
+  if (relative.unit == PathUnit::frames && relative.delta != std::floor(relative.delta)) {
+    throw InputError("--delta counts whole frames; for a length in metres add --delta-unit m");
+  }
+}
+
+// An option that means something with --truth alone.
+CommandOption with_truth(const char* name, OptionTarget target, const char* help,
+                         OptionCheck check) {
+  const bool is_flag = std::holds_alternative<bool*>(target);
+  return {.name = name,
+          .target = target,
+          .help = help,
+          .check = std::move(check),
+          .shows_default = !is_flag,
+          .needs = "--truth"};
+}
+
 }  // namespace
 
-void add_evaluate_command(CLI::App& program, Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "evaluate", "Measure the errors of a trajectory against relations or true poses");
+Command evaluate_command() {
   const auto arguments = std::make_shared<EvaluateArguments>();
-  TruthOptions& options = arguments->truth_options;
-  command
-      ->add_option("ESTIMATE", arguments->estimate,
-                   "the trajectory: lines 't x y z qx qy qz qw' (TUM) or 't x y theta'; this "
-                   "and all files may be gzipped")
-      ->required();
-  CLI::Option* relations = command->add_option(
-      "--relations", arguments->relations,
-      "relations between stamps, 't1 t2 x y z roll pitch yaw' (Kuemmerle et al. 2009)");
-  command
-      ->add_option("--odometry", arguments->odometry,
-                   "the log, or pose lines: reaches the relations' stamps from the poses beside "
-                   "them by odometry instead of linearly")
-      ->needs(relations);
-  CLI::Option* truth =
-      command->add_option("--truth", arguments->truth, "true or reference poses, lines as above");
-  command
-      ->add_option("--max-time-difference", options.max_time_difference,
-                   "[s] between an estimated and a true pose of one moment")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber)
-      ->needs(truth);
-  command
-      ->add_option("--delta", options.relative.delta,
-                   "length of the motions that RPE compares, in --delta-unit")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber)
-      ->needs(truth);
-  command->add_option("--delta-unit", arguments->delta_unit, "what --delta counts")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"frames", "m"}))
-      ->needs(truth);
-  command
-      ->add_flag("--all-pairs", options.relative.all_pairs,
-                 "RPE: a motion from every pose on, instead of one behind the other")
-      ->needs(truth);
-  command
-      ->add_option("--path-length", options.path_length,
-                   "[m] of true path for the error over a length of path")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber)
-      ->needs(truth);
-  command->add_option("--json", arguments->json, "write the figures to this file, with all digits");
-  command->callback([arguments, &action] {
-    if (arguments->relations.empty() && arguments->truth.empty()) {
-      throw InputError("evaluate needs something to compare with; give --relations or --truth");
-    }
-    check_finite(*arguments);
-    RelativeErrorOptions& relative = arguments->truth_options.relative;
-    relative.unit = arguments->delta_unit == "m" ? PathUnit::meters : PathUnit::frames;
-    if (relative.unit == PathUnit::frames && relative.delta != std::floor(relative.delta)) {
-      throw InputError("--delta counts whole frames; for a length in metres add --delta-unit m");
-    }
-    action = [arguments] { return evaluate(*arguments); };
-  });
+  EvaluateArguments& a = *arguments;
+  TruthOptions& options = a.truth_options;
+  return {
+      .name = "evaluate",
+      .help = "Measure the errors of a trajectory against relations or true poses",
+      .options =
+          {{.name = "ESTIMATE",
+            .target = &a.estimate,
+            .help = "the trajectory: lines 't x y z qx qy qz qw' (TUM) or 't x y theta'; this "
+                    "and all files may be gzipped",
+            .is_required = true},
+           {"--relations", &a.relations,
+            "relations between stamps, 't1 t2 x y z roll pitch yaw' (Kuemmerle et al. 2009)"},
+           {.name = "--odometry",
+            .target = &a.odometry,
+            .help = "the log, or pose lines: reaches the relations' stamps from the poses beside "
+                    "them by odometry instead of linearly",
+            .needs = "--relations"},
+           {"--truth", &a.truth, "true or reference poses, lines as above"},
+           with_truth("--max-time-difference", &options.max_time_difference,
+                      "[s] between an estimated and a true pose of one moment", Sign::not_negative),
+           with_truth("--delta", &options.relative.delta,
+                      "length of the motions that RPE compares, in --delta-unit", Sign::positive),
+           with_truth("--delta-unit", &a.delta_unit, "what --delta counts",
+                      std::vector<std::string>{"frames", "m"}),
+           with_truth("--all-pairs", &options.relative.all_pairs,
+                      "RPE: a motion from every pose on, instead of one behind the other", {}),
+           with_truth("--path-length", &options.path_length,
+                      "[m] of true path for the error over a length of path", Sign::positive),
+           {"--json", &a.json, "write the figures to this file, with all digits"}},
+      .run = [arguments] {
+        check(*arguments);
+        return evaluate(*arguments);
+      }};
 }
 
 }  // namespace mapbed

@@ -3,10 +3,10 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "bench/cli/catalogue.h"
+#include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
@@ -49,26 +49,30 @@ int describe(const std::string& name) {
 
 }  // namespace
 
-void add_list_command(CLI::App& program, Action& action) {
-  CLI::App* command = program.add_subcommand("list", "List what there is");
+Command list_command() {
   const auto kind = std::make_shared<std::string>();
   std::string kinds;
   for (const CatalogueShelf& shelf : catalogue()) {
     kinds += (kinds.empty() ? "" : ", ") + shelf.kind;
   }
-  command->add_option("KIND", *kind, "one of: " + kinds + "; all where left out");
-  command->callback([kind, &action] {
-    if (!kind->empty()) check_kind(*kind);
-    action = [kind] { return list(*kind); };
-  });
+  return {.name = "list",
+          .help = "List what there is",
+          .options = {{"KIND", kind.get(), "one of: " + kinds + "; all where left out"}},
+          .run = [kind] {
+            if (!kind->empty()) check_kind(*kind);
+            return list(*kind);
+          }};
 }
 
-void add_describe_command(CLI::App& program, Action& action) {
-  CLI::App* command =
-      program.add_subcommand("describe", "Show every option of a thing: default, unit, meaning");
+Command describe_command() {
   const auto name = std::make_shared<std::string>();
-  command->add_option("NAME", *name, "a name that 'mapbed list' shows")->required();
-  command->callback([name, &action] { action = [name] { return describe(*name); }; });
+  return {.name = "describe",
+          .help = "Show every option of a thing: default, unit, meaning",
+          .options = {{.name = "NAME",
+                       .target = name.get(),
+                       .help = "a name that 'mapbed list' shows",
+                       .is_required = true}},
+          .run = [name] { return describe(*name); }};
 }
 
 }  // namespace mapbed

@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/interrupt.h"
 #include "bench/cli/map_run.h"
@@ -155,33 +155,33 @@ int map_log(const MapArguments& arguments) {
 
 }  // namespace
 
-void add_map_command(CLI::App& program, Action& action) {
-  CLI::App* command = program.add_subcommand("map", "Make a map and a trajectory of a log");
+Command map_command() {
   const auto arguments = std::make_shared<MapArguments>();
-  command
-      ->add_option(
-          "LOG", arguments->log,
-          "CARMEN (.log, .clf), CoreSLAM, DP-SLAM or a list of scans, also gzipped; or the "
-          "name or .yaml of one that 'mapbed list logs' shows")
-      ->required();
-  command->add_option("--method", arguments->method,
-                      "who finds the trajectory; see 'mapbed list methods'");
-  command->add_option("--resolution", arguments->resolution, "side of a cell, as in '5 cm'");
-  command->add_option("--seed", arguments->seed, "of all chance");
-  command
-      ->add_option("--set", arguments->settings,
-                   "path=value, any option that 'mapbed describe' shows: log.max_range='50 m', "
-                   "map.model=odds; may come again")
-      ->allow_extra_args(false);
-  command->add_option("--config", arguments->config_file,
-                      "YAML with such options, as config.yaml in a result's folder");
-  command
-      ->add_option("-j,--threads", arguments->threads,
-                   "for methods that share their work out; all processors if left out")
-      ->check(CLI::Range(1, 1024));
-  command->add_option("--out", arguments->folder,
-                      "folder for the results; LOG's name and '_map' here where left out");
-  command->callback([arguments, &action] { action = [arguments] { return map_log(*arguments); }; });
+  return {
+      .name = "map",
+      .help = "Make a map and a trajectory of a log",
+      .options =
+          {{.name = "LOG",
+            .target = &arguments->log,
+            .help =
+                "CARMEN (.log, .clf), CoreSLAM, DP-SLAM or a list of scans, also gzipped; or the "
+                "name or .yaml of one that 'mapbed list logs' shows",
+            .is_required = true},
+           {"--method", &arguments->method, "who finds the trajectory; see 'mapbed list methods'"},
+           {"--resolution", &arguments->resolution, "side of a cell, as in '5 cm'"},
+           {"--seed", &arguments->seed, "of all chance"},
+           {"--set", &arguments->settings,
+            "path=value, any option that 'mapbed describe' shows: log.max_range='50 m', "
+            "map.model=odds; may come again"},
+           {"--config", &arguments->config_file,
+            "YAML with such options, as config.yaml in a result's folder"},
+           {.name = "-j,--threads",
+            .target = &arguments->threads,
+            .help = "for methods that share their work out; all processors if left out",
+            .check = IntRange{1, 1024}},
+           {"--out", &arguments->folder,
+            "folder for the results; LOG's name and '_map' here where left out"}},
+      .run = [arguments] { return map_log(*arguments); }};
 }
 
 }  // namespace mapbed

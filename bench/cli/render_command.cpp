@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "algorithms/grid/map_file.h"
+#include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/plot/map_picture.h"
 #include "bench/plot/world_picture.h"
@@ -77,57 +77,53 @@ int render(const RenderArguments& arguments) {
 
 }  // namespace
 
-void add_render_command(CLI::App& program, Action& action) {
-  CLI::App* command =
-      program.add_subcommand("render", "Draw a map with its trajectories, or a world");
+Command render_command() {
   const auto arguments = std::make_shared<RenderArguments>();
-  command
-      ->add_option(
-          "MAP|WORLD", arguments->map,
-          "map.yaml as map servers read it, or a .png or .pgm with such a file beside it; or "
-          "a world's name or file")
-      ->required();
-  command->add_option("-o,--output", arguments->output, "the picture, a PNG file")->required();
-  command
-      ->add_option("--trajectory", arguments->trajectories,
-                   "poses to draw, lines 't x y z qx qy qz qw' or 't x y theta'; may come again")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--name", arguments->names,
-                   "the trajectory's name in the legend, in the same order; its file's name "
-                   "where left out")
-      ->allow_extra_args(false);
-  command->add_option("--resolution", arguments->resolution,
-                      "side of a picture's cell, as in '5 cm', where no .yaml says it");
-  command
-      ->add_option("--size", arguments->picture.longest_side,
-                   "[pixels] of the map's longer side, at most")
-      ->capture_default_str()
-      ->check(CLI::Range(100, 16000));
-  const char* const of_world = "Of a world";
-  command
-      ->add_option("--robot", arguments->world.robot,
-                   "draw it in the middle of a drive of this robot, people and doors included")
-      ->group(of_world);
-  command->add_option("--path", arguments->world.path, "that the robot follows; else the first one")
-      ->group(of_world);
-  command->add_option("--after", arguments->after, "how long it has driven; 20 s where left out")
-      ->group(of_world);
-  command->add_option("--seed", arguments->world.seed, "of people and doors")
-      ->capture_default_str()
-      ->group(of_world);
-  command
-      ->add_option("--set", arguments->world_options,
-                   "an option of the world, as in size=30m; may come again")
-      ->allow_extra_args(false)
-      ->group(of_world);
-  command
-      ->add_option("--camera", arguments->camera_options,
-                   "an option of the picture, as in view=plan or reach=8m, see 'describe camera'; "
-                   "may come again")
-      ->allow_extra_args(false)
-      ->group(of_world);
-  command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
+  RenderArguments& a = *arguments;
+  const std::string of_world = "Of a world";
+  const auto world_option = [&](const char* name, OptionTarget target, const char* help) {
+    return CommandOption{.name = name, .target = target, .help = help, .group = of_world};
+  };
+  CommandOption seed = world_option("--seed", &a.world.seed, "of people and doors");
+  seed.shows_default = true;
+  return {
+      .name = "render",
+      .help = "Draw a map with its trajectories, or a world",
+      .options =
+          {{.name = "MAP|WORLD",
+            .target = &a.map,
+            .help =
+                "map.yaml as map servers read it, or a .png or .pgm with such a file beside it; or "
+                "a world's name or file",
+            .is_required = true},
+           {.name = "-o,--output",
+            .target = &a.output,
+            .help = "the picture, a PNG file",
+            .is_required = true},
+           {"--trajectory", &a.trajectories,
+            "poses to draw, lines 't x y z qx qy qz qw' or 't x y theta'; may come again"},
+           {"--name", &a.names,
+            "the trajectory's name in the legend, in the same order; its file's name "
+            "where left out"},
+           {"--resolution", &a.resolution,
+            "side of a picture's cell, as in '5 cm', where no .yaml says it"},
+           {.name = "--size",
+            .target = &a.picture.longest_side,
+            .help = "[pixels] of the map's longer side, at most",
+            .check = IntRange{100, 16000},
+            .shows_default = true},
+           world_option(
+               "--robot", &a.world.robot,
+               "draw it in the middle of a drive of this robot, people and doors included"),
+           world_option("--path", &a.world.path, "that the robot follows; else the first one"),
+           world_option("--after", &a.after, "how long it has driven; 20 s where left out"),
+           seed,
+           world_option("--set", &a.world_options,
+                        "an option of the world, as in size=30m; may come again"),
+           world_option("--camera", &a.camera_options,
+                        "an option of the picture, as in view=plan or reach=8m, see 'describe "
+                        "camera'; may come again")},
+      .run = [arguments] { return render(*arguments); }};
 }
 
 }  // namespace mapbed

@@ -5,9 +5,9 @@
 #include <thread>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/interrupt.h"
 #include "bench/cli/output_folder.h"
@@ -121,25 +121,28 @@ int run(const RunArguments& arguments) {
 
 }  // namespace
 
-void add_run_command(CLI::App& program, Action& action) {
-  CLI::App* command =
-      program.add_subcommand("run", "Run a scenario: simulate, estimate, measure, judge");
+Command run_command() {
   const auto a = std::make_shared<RunArguments>();
-  command->add_option("SCENARIO", a->scenario, "a scenario's name or file (YAML)")->required();
-  command->add_flag("--quick", a->quick, "a reduced version, in seconds");
-  command->add_option("-j,--threads", a->threads, "runs at a time; all processors if left out")
-      ->check(CLI::Range(1, 1024));
-  command->add_option("--seed", a->seed, "the first seed");
-  command
-      ->add_option("--set", a->settings,
-                   "path=value, any option, also 'seeds=10' and the values of an axis: "
-                   "'people=[0, 5]'; may come again")
-      ->allow_extra_args(false);
-  command->add_option("--out", a->folder, "folder for the results; results/NAME if left out");
-  command->add_option("--run", a->run, "repeat the run of this number alone and print its row");
-  command->add_flag("--restart", a->restart, "throw away what an interrupted start has done");
-  command->add_flag("--strict", a->strict, "exit status 2 where a claim does not hold");
-  command->callback([a, &action] { action = [a] { return run(*a); }; });
+  return {.name = "run",
+          .help = "Run a scenario: simulate, estimate, measure, judge",
+          .options = {{.name = "SCENARIO",
+                       .target = &a->scenario,
+                       .help = "a scenario's name or file (YAML)",
+                       .is_required = true},
+                      {"--quick", &a->quick, "a reduced version, in seconds"},
+                      {.name = "-j,--threads",
+                       .target = &a->threads,
+                       .help = "runs at a time; all processors if left out",
+                       .check = IntRange{1, 1024}},
+                      {"--seed", &a->seed, "the first seed"},
+                      {"--set", &a->settings,
+                       "path=value, any option, also 'seeds=10' and the values of an axis: "
+                       "'people=[0, 5]'; may come again"},
+                      {"--out", &a->folder, "folder for the results; results/NAME if left out"},
+                      {"--run", &a->run, "repeat the run of this number alone and print its row"},
+                      {"--restart", &a->restart, "throw away what an interrupted start has done"},
+                      {"--strict", &a->strict, "exit status 2 where a claim does not hold"}},
+          .run = [a] { return run(*a); }};
 }
 
 }  // namespace mapbed

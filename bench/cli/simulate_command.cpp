@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/scenario/scenario_log.h"
 #include "bench/sources/log_source.h"
@@ -84,28 +84,28 @@ int simulate(const SimulateArguments& arguments) {
 
 }  // namespace
 
-void add_simulate_command(CLI::App& program, Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "simulate",
-      "Record a log in a simulated world, with truth, relations and true map beside it");
+Command simulate_command() {
   const auto a = std::make_shared<SimulateArguments>();
-  command->add_option("SCENARIO", a->scenario, "a scenario's name or file (YAML)");
-  command->add_option("--world", a->world, "a world's name or file");
-  command->add_option("--robot", a->robot, "a robot's name or file");
-  command->add_option("--path", a->path, "a named path of the world; its first where left out");
-  command
-      ->add_option("--people", a->people,
-                   "how many are about, all together; as the world says if left out")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--seed", a->seed, "of everything that is chance");
-  command->add_option("--variant", a->variant, "which of those that the scenario compares");
-  command
-      ->add_option("--set", a->settings,
-                   "any option: world.…, robot.…, simulation.…, driver.…, recorder.…=value; of "
-                   "a scenario that sweeps one, its value")
-      ->allow_extra_args(false);
-  command->add_option("-o,--out", a->log, "the CARMEN log to write; .gz: compressed")->required();
-  command->callback([a, &action] { action = [a] { return simulate(*a); }; });
+  return {.name = "simulate",
+          .help = "Record a log in a simulated world, with truth, relations and true map beside it",
+          .options = {{"SCENARIO", &a->scenario, "a scenario's name or file (YAML)"},
+                      {"--world", &a->world, "a world's name or file"},
+                      {"--robot", &a->robot, "a robot's name or file"},
+                      {"--path", &a->path, "a named path of the world; its first where left out"},
+                      {.name = "--people",
+                       .target = &a->people,
+                       .help = "how many are about, all together; as the world says if left out",
+                       .check = Sign::not_negative},
+                      {"--seed", &a->seed, "of everything that is chance"},
+                      {"--variant", &a->variant, "which of those that the scenario compares"},
+                      {"--set", &a->settings,
+                       "any option: world.…, robot.…, simulation.…, driver.…, recorder.…=value; of "
+                       "a scenario that sweeps one, its value"},
+                      {.name = "-o,--out",
+                       .target = &a->log,
+                       .help = "the CARMEN log to write; .gz: compressed",
+                       .is_required = true}},
+          .run = [a] { return simulate(*a); }};
 }
 
 }  // namespace mapbed
