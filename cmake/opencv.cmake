@@ -3,7 +3,8 @@
 #
 # Linked as archives: as shared libraries they bring LAPACK, Fortran and X11 along, 5 ms and 6 MB at
 # every start of the program. What draws through OpenGL in them is never called; nor do they get it.
-# Whoever needs their linear algebra (matrix expressions too: applyColorMap uses them) adds LAPACK.
+# What uses cv::MatExpr inside (filters, morphology, distance transforms, colour maps) needs LAPACK
+# and BLAS; nothing here does yet, and whoever begins to adds them.
 mapbed_headers(OpenCV opencv2/imgproc.hpp libopencv-imgproc-dev PATH_SUFFIXES opencv4)
 foreach(module imgproc core)
   find_library(OpenCV_${module}_LIBRARY libopencv_${module}.a)

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/check.h"
+#include "bench/metrics/near_cells.h"
 
 namespace mapbed {
 namespace {
@@ -82,16 +82,6 @@ int count_walls(const Eigen::Vector2d& center, const Eigen::Vector2d& normal, do
   return walls;
 }
 
-bool knows_near(const OccupancyMap& map, const Eigen::Vector2d& point) {
-  const CellIndex cell = map.cell_of(point);
-  for (int j = -1; j <= 1; ++j) {
-    for (int i = -1; i <= 1; ++i) {
-      if (map[{cell.x + i, cell.y + j}].known()) return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 double DoubledWalls::share() const {
@@ -101,10 +91,12 @@ double DoubledWalls::share() const {
 
 DoubledWalls doubled_walls(const OccupancyMap& map, const TrueMap& truth,
                            const DoubledWallOptions& options) {
+  const NearCells known(cells_under(truth, map), 1,
+                        [&](CellIndex cell) { return map[cell].known(); });
   const auto in_truth = [&](const Eigen::Vector2d& point) {
     const Eigen::Array2d cell = ((point - truth.origin) / truth.resolution).array().floor();
     return is_wall(truth, static_cast<int>(cell.x()), static_cast<int>(cell.y())) &&
-           knows_near(map, point);
+           known[map.cell_of(point)];
   };
   const auto in_map = [&](const Eigen::Vector2d& point) {
     const Occupancy& cell = map[map.cell_of(point)];
@@ -116,7 +108,7 @@ DoubledWalls doubled_walls(const OccupancyMap& map, const TrueMap& truth,
       if (truth.at(x, y) != TrueCell::occupied) continue;
       const Eigen::Vector2d center =
           truth.origin + truth.resolution * Eigen::Vector2d(x + 0.5, y + 0.5);
-      if (!knows_near(map, center)) continue;
+      if (!known[map.cell_of(center)]) continue;
       const std::optional<Eigen::Vector2d> normal = normal_at(truth, x, y);
       if (!normal) continue;
       ++result.walls;

@@ -1,9 +1,8 @@
 #include "bench/metrics/map_error.h"
 
-#include <cmath>
 #include <limits>
 
-#include "core/check.h"
+#include "bench/metrics/near_cells.h"
 
 namespace mapbed {
 namespace {
@@ -17,49 +16,18 @@ bool is_solid(TrueCell cell) {
   return cell == TrueCell::occupied || cell == TrueCell::interior;
 }
 
-// The true map by points of the world; its cells need not lie on those of the other map.
-class Lookup {
- public:
-  Lookup(const OccupancyMap& map, const TrueMap& truth, const MapErrorOptions& options)
-      : map_(map), truth_(truth), options_(options) {}
-
-  bool truth_is_solid_near(const Eigen::Vector2d& point) const {
-    const Eigen::Vector2d cell = (point - truth_.origin) / truth_.resolution;
-    const auto x = static_cast<int>(std::floor(cell.x()));
-    const auto y = static_cast<int>(std::floor(cell.y()));
-    return any_near(x, y, [this](int i, int j) {
-      return i >= 0 && j >= 0 && i < truth_.width && j < truth_.height && is_solid(truth_.at(i, j));
-    });
-  }
-  bool map_is_occupied_near(const Eigen::Vector2d& point) const {
-    const CellIndex cell = map_.cell_of(point);
-    return any_near(cell.x, cell.y, [this](int i, int j) {
-      return map_[{i, j}].known() && map_[{i, j}].probability >= options_.occupied;
-    });
-  }
-  bool map_knows_near(const Eigen::Vector2d& point) const {
-    const CellIndex cell = map_.cell_of(point);
-    return any_near(cell.x, cell.y, [this](int i, int j) { return map_[{i, j}].known(); });
-  }
-
- private:
-  template <class Predicate>
-  bool any_near(int x, int y, Predicate&& holds) const {
-    for (int j = y - options_.tolerance; j <= y + options_.tolerance; ++j) {
-      for (int i = x - options_.tolerance; i <= x + options_.tolerance; ++i) {
-        if (holds(i, j)) return true;
-      }
-    }
-    return false;
-  }
-
-  const OccupancyMap& map_;
-  const TrueMap& truth_;
-  const MapErrorOptions& options_;
-};
-
 Eigen::Vector2d center_of(const TrueMap& truth, int x, int y) {
   return truth.origin + truth.resolution * Eigen::Vector2d(x + 0.5, y + 0.5);
+}
+
+// True cells with a solid one within the tolerance, around the true map too.
+NearCells near_solid(const TrueMap& truth, int tolerance) {
+  const CellBox box{{-tolerance, -tolerance},
+                    {truth.width - 1 + tolerance, truth.height - 1 + tolerance}};
+  const CellBox inside{{0, 0}, {truth.width - 1, truth.height - 1}};
+  return {box, tolerance, [&](CellIndex cell) {
+            return inside.contains(cell) && is_solid(truth.at(cell.x, cell.y));
+          }};
 }
 
 }  // namespace
@@ -111,20 +79,28 @@ MapConfusion confusion_of(const OccupancyMap& map, const TrueMap& truth,
 
 MapErrors compare_maps(const OccupancyMap& map, const TrueMap& truth,
                        const MapErrorOptions& options) {
-  const Lookup look(map, truth, options);
+  const auto is_occupied = [&](const Occupancy& cell) {
+    return cell.known() && cell.probability >= options.occupied;
+  };
+  const NearCells solid = near_solid(truth, options.tolerance);
+  const GridFrame true_cells{.resolution = truth.resolution, .origin = truth.origin};
   MapErrors errors;
   map.for_each([&](CellIndex cell, const Occupancy& value) {
-    if (!value.known() || value.probability < options.occupied) return;
+    if (!is_occupied(value)) return;
     ++errors.occupied;
-    if (look.truth_is_solid_near(map.center_of(cell))) ++errors.right;
+    if (solid[true_cells.cell_of(map.center_of(cell))]) ++errors.right;
   });
+  const CellBox box = cells_under(truth, map);
+  const NearCells known(box, options.tolerance, [&](CellIndex cell) { return map[cell].known(); });
+  const NearCells occupied(box, options.tolerance,
+                           [&](CellIndex cell) { return is_occupied(map[cell]); });
   for (int y = 0; y < truth.height; ++y) {
     for (int x = 0; x < truth.width; ++x) {
       if (truth.at(x, y) != TrueCell::occupied) continue;
-      const Eigen::Vector2d center = center_of(truth, x, y);
-      if (!look.map_knows_near(center)) continue;
+      const CellIndex cell = map.cell_of(center_of(truth, x, y));
+      if (!known[cell]) continue;
       ++errors.true_occupied;
-      if (look.map_is_occupied_near(center)) ++errors.found;
+      if (occupied[cell]) ++errors.found;
     }
   }
   return errors;
