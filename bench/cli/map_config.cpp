@@ -1,7 +1,6 @@
 #include "bench/cli/map_config.h"
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -46,13 +45,6 @@ void check_group_is_named(const Settings& own, const Method& method) {
                      in_quotes(setting.path) + " is an option of the method " + method.name,
                      "write '" + method.name + "." + setting.path + "'");
   }
-}
-
-std::string indented(const std::string& yaml) {
-  std::istringstream lines(yaml);
-  std::string result;
-  for (std::string line; std::getline(lines, line);) result += "  " + line + "\n";
-  return result;
 }
 
 }  // namespace

@@ -1,16 +1,16 @@
 #include "bench/results/sweep.h"
 
 #include <algorithm>
-#include <charconv>
-#include <system_error>
+
+#include "core/file/tokens.h"
 
 namespace mapbed {
 namespace {
 
 // "2 deg" is 2 and "deg"; false where the text does not begin with a number.
 bool split_quantity(const std::string& text, double& number, std::string& unit) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{}) return false;
+  const char* const end = read_number(text.data(), text.data() + text.size(), number);
+  if (end == nullptr) return false;
   unit.assign(end, text.data() + text.size());
   unit.erase(0, unit.find_first_not_of(' '));
   return unit.empty() || *end == ' ';

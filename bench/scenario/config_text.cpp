@@ -1,22 +1,12 @@
 #include "bench/scenario/config_text.h"
 
-#include <sstream>
-
 #include "bench/results/plan_yaml.h"
 #include "bench/scenario/plan.h"
+#include "core/config/settings.h"
 #include "core/config/yaml_scalar.h"
 
 namespace mapbed {
 namespace {
-
-std::string indented(const std::string& yaml, int spaces) {
-  std::istringstream lines(yaml);
-  std::string result;
-  for (std::string line; std::getline(lines, line);) {
-    result += std::string(static_cast<std::size_t>(spaces), ' ') + line + "\n";
-  }
-  return result;
-}
 
 std::string runs_text(const ScenarioPlan& plan) {
   std::string text;

@@ -8,9 +8,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "core/check.h"
 #include "core/file/csv_file.h"
 #include "core/file/hash.h"
 #include "core/file/text_file.h"
+#include "core/file/tokens.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -34,8 +36,9 @@ std::string line_of(const Journal::Entry& entry) {
 
 Journal::Entry entry_of(const CsvRow& row) {
   Journal::Entry entry;
-  entry.row.run = entry.cost.run = std::stoi(row[0]);
-  entry.row.seed = std::stoull(row[1]);
+  // The line's checksum vouches for its numbers.
+  CHECK(parse_number(row[0], entry.row.run) && parse_number(row[1], entry.row.seed));
+  entry.cost.run = entry.row.run;
   entry.cost.seconds = parse_csv_number(row[2]);
   entry.cost.recording_seconds = parse_csv_number(row[3]);
   entry.cost.method_seconds = parse_csv_number(row[4]);

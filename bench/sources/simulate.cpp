@@ -1,7 +1,6 @@
 #include "bench/sources/simulate.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -49,13 +48,6 @@ Settings settings_of_others(const Settings& all) {
   for (const Setting& setting : all) {
     if (!setting.path.starts_with("world.")) result.push_back(setting);
   }
-  return result;
-}
-
-std::string indented(const std::string& text) {
-  std::string result;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) result += "  " + line + "\n";
   return result;
 }
 

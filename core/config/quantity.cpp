@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/check.h"
+#include "core/file/tokens.h"
 #include "core/geometry/angle.h"
 
 namespace mapbed {
@@ -96,12 +97,6 @@ bool is_known_symbol(std::string_view text) {
   return false;
 }
 
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 double in_si(double number, const Symbol& symbol) {
   const double value = symbol.in_degrees ? radians(number) : number;
   return value * symbol.times / symbol.per;
@@ -177,7 +172,7 @@ std::string quantity_text(double value, Unit unit) {
       const std::string candidate = text + " " + std::string(symbol.text);
       if (candidate.size() >= best.size()) continue;
       double number = 0.0;
-      std::from_chars(text.data(), text.data() + text.size(), number);
+      (void)parse_number(text, number);
       if (in_si(number, symbol) == value) best = candidate;
     }
   }

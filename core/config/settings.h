@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/config/option.h"
@@ -33,5 +34,8 @@ void apply(const Settings& settings, const OptionList& options, const std::strin
 
 // The complete configuration, defaults included, as YAML with units and the meaning as comments.
 std::string to_yaml(const OptionList& options);
+
+// Every line of a text behind so many blanks, as YAML has what belongs to a key.
+std::string indented(std::string_view yaml, int blanks = 2);
 
 }  // namespace mapbed

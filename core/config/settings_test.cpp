@@ -137,6 +137,12 @@ TEST(Settings, TheCompleteConfigurationTellsUnitsAndMeaning) {
             "translation_sigma: 0.01 m  # spread: forward\n");
 }
 
+TEST(Settings, EveryLineOfATextIsIndented) {
+  EXPECT_EQ(indented("a: 1\n  b: 2\n"), "  a: 1\n    b: 2\n");
+  EXPECT_EQ(indented("a: 1", 4), "    a: 1\n");
+  EXPECT_EQ(indented(""), "");
+}
+
 TEST(Settings, AnUnknownKeyIsRefusedWithTheNearestOne) {
   EXPECT_INPUT_ERROR(
       robot_from("size: 1 m\nodometry:\n  rotaton_sigma: 2 deg"),

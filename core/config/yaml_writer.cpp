@@ -3,6 +3,7 @@
 #include "core/config/set_option.h"
 #include "core/config/settings.h"
 #include "core/config/yaml_scalar.h"
+#include "core/file/tokens.h"
 
 namespace mapbed {
 namespace {
@@ -34,6 +35,13 @@ std::string to_yaml(const OptionList& options) {
     yaml += option.about.empty() ? "\n" : "  # " + option.about + "\n";
   }
   return yaml;
+}
+
+std::string indented(std::string_view yaml, int blanks) {
+  const std::string margin(static_cast<std::size_t>(blanks), ' ');
+  std::string result;
+  while (!yaml.empty()) result += margin + std::string(next_line(yaml)) + "\n";
+  return result;
 }
 
 }  // namespace mapbed

@@ -1,11 +1,11 @@
 #include "core/file/csv_file.h"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
+#include "core/file/tokens.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -79,9 +79,9 @@ std::string csv_number(double value) {
 
 double parse_csv_number(const std::string& text) {
   double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc{} && end == text.data() + text.size();
-  return whole ? value : std::numeric_limits<double>::quiet_NaN();
+  const char* const end = text.data() + text.size();
+  const bool is_number = !text.empty() && read_number(text.data(), end, value) == end;
+  return is_number ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace mapbed

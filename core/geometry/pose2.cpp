@@ -29,9 +29,9 @@ Pose2 motion_between(const Pose2& world_from_a, const Pose2& world_from_b) {
   return inverse(world_from_a) * world_from_b;
 }
 
-Pose2 interpolate(const Pose2& a, const Pose2& b, double share) {
+Pose2 interpolate(const Pose2& a, const Pose2& b, double fraction) {
   const Pose2 step = motion_between(a, b);
-  return a * Pose2{share * step.x, share * step.y, normalized_angle(share * step.theta)};
+  return a * Pose2{fraction * step.x, fraction * step.y, normalized_angle(fraction * step.theta)};
 }
 
 double distance(const Pose2& a, const Pose2& b) {

@@ -22,9 +22,9 @@ Pose2 inverse(const Pose2& a_from_b);
 // The motion from one pose to another, both in the same frame: inverse(from) * to.
 Pose2 motion_between(const Pose2& world_from_a, const Pose2& world_from_b);
 
-// On the way from a (at share 0) to b (at share 1): position and heading in a's frame grow
+// On the way from a (at fraction 0) to b (at fraction 1): position and heading in a's frame grow
 // linearly. Extrapolates outside [0, 1].
-Pose2 interpolate(const Pose2& a, const Pose2& b, double share);
+Pose2 interpolate(const Pose2& a, const Pose2& b, double fraction);
 
 double distance(const Pose2& a, const Pose2& b);  // [m] between the positions
 bool is_finite(const Pose2& pose);

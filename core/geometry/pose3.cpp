@@ -24,10 +24,10 @@ Pose3 motion_between(const Pose3& world_from_a, const Pose3& world_from_b) {
   return inverse(world_from_a) * world_from_b;
 }
 
-Pose3 interpolate(const Pose3& a, const Pose3& b, double share) {
+Pose3 interpolate(const Pose3& a, const Pose3& b, double fraction) {
   Eigen::AngleAxisd turn(a.rotation.conjugate() * b.rotation);
-  turn.angle() = normalized_angle(turn.angle()) * share;
-  return {a.position + share * (b.position - a.position), (a.rotation * turn).normalized()};
+  turn.angle() = normalized_angle(turn.angle()) * fraction;
+  return {a.position + fraction * (b.position - a.position), (a.rotation * turn).normalized()};
 }
 
 Pose3 upright(const Pose2& pose, double z) {

@@ -25,9 +25,9 @@ Pose3 inverse(const Pose3& a_from_b);
 // The motion from one pose to another, both in the same frame: inverse(from) * to.
 Pose3 motion_between(const Pose3& world_from_a, const Pose3& world_from_b);
 
-// On the way from a (at share 0) to b (at share 1): position linearly, rotation at constant rate
-// the short way round. Extrapolates outside [0, 1].
-Pose3 interpolate(const Pose3& a, const Pose3& b, double share);
+// On the way from a (at fraction 0) to b (at fraction 1): position linearly, rotation at constant
+// rate the short way round. Extrapolates outside [0, 1].
+Pose3 interpolate(const Pose3& a, const Pose3& b, double fraction);
 
 // Upright at a height: x forward, y left, z up; turned about the vertical only.
 Pose3 upright(const Pose2& pose, double z = 0.0);

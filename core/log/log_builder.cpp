@@ -90,6 +90,30 @@ void make_up_stamps(SensorLog& log, double period) {
   }
 }
 
+// The geometry of lasers, worked out once for all scans of one.
+class LaserGeometry {
+ public:
+  LaserGeometry(const RecordedLog& log, const LogOptions& options) : log_(log), options_(options) {}
+
+  const Pose2& mount(int laser) {
+    const auto [found, is_new] = mounts_.try_emplace(laser);
+    if (is_new) found->second = mount_of(laser, log_, options_);
+    return found->second;
+  }
+
+  const std::optional<Bearings>& bearings(int laser, std::size_t beams) {
+    const auto [found, is_new] = bearings_.try_emplace({laser, beams});
+    if (is_new) found->second = bearings_of(beams, laser, log_, options_);
+    return found->second;
+  }
+
+ private:
+  const RecordedLog& log_;
+  const LogOptions& options_;
+  std::map<int, Pose2> mounts_;
+  std::map<std::pair<int, std::size_t>, std::optional<Bearings>> bearings_;  // by number of beams
+};
+
 }  // namespace
 
 LogBuilder::LogBuilder(std::string name, const LogOptions& options)
@@ -200,15 +224,16 @@ void LogBuilder::complete_geometry() {
   const bool given = options_.bearing_step != 0.0 || options_.field_of_view > 0.0 ||
                      !options_.first_bearing.empty();
   std::map<std::size_t, long> unknown;  // scans by number of beams
+  LaserGeometry geometry(log_, options_);
   std::erase_if(log_.measurements, [&](Measurement& measurement) {
     auto* scan = std::get_if<LaserScan>(&measurement);
     if (scan == nullptr) return false;
     const auto& mount =
         scan->laser == 1 ? options_.robot_from_rear_laser : options_.robot_from_laser;
     if (std::isnan(scan->robot_from_laser.planar.x) || (scan->laser <= 1 && !mount.empty()))
-      scan->robot_from_laser.planar = mount_of(scan->laser, log_, options_);
+      scan->robot_from_laser.planar = geometry.mount(scan->laser);
     if (scan->bearing_step != 0.0 && !given) return false;
-    const auto bearings = bearings_of(scan->ranges.size(), scan->laser, log_, options_);
+    const auto& bearings = geometry.bearings(scan->laser, scan->ranges.size());
     if (!bearings) {
       ++unknown[scan->ranges.size()];
       return true;

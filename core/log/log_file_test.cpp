@@ -238,6 +238,14 @@ TEST_F(LogFile, PlainAndPackedReadAlikeAcrossBlocks) {
   EXPECT_TRUE(plain.warnings.empty());
 }
 
+TEST_F(LogFile, TheDialectIsToldBehindAnyNumberOfComments) {
+  std::string comments;
+  while (comments.size() < 1'200'000) comments += "# a line that says nothing\n";  // over one piece
+  const RecordedLog log = load_log(written("talkative.log", comments + good_lines(3)));
+  EXPECT_EQ(scans_of(log).size(), 3u);
+  EXPECT_TRUE(log.warnings.empty());
+}
+
 TEST_F(LogFile, AMissingFileOrAFolderIsRefused) {
   EXPECT_EQ(message_of("nowhere.log"), "nowhere.log: no such file");
   EXPECT_THAT(message_of(::testing::TempDir()), HasSubstr("is a folder, not a file"));

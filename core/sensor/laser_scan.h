@@ -9,8 +9,7 @@ namespace mapbed {
 // One sweep of a laser range finder whose beams lie in one plane.
 struct LaserScan {
   double time = 0.0;  // [s] the log's own absolute stamp
-  int laser =
-      0;  // which of the robot's lasers: 0 front, 1 rear, further ones as the log counts them
+  int laser = 0;      // of the robot's lasers: 0 front, 1 rear, further ones as the log counts them
   Mount robot_from_laser;
   double first_bearing = 0.0;      // [rad] of ranges[0], in the laser frame
   double bearing_step = 0.0;       // [rad] from one beam to the next; positive: counter-clockwise

@@ -35,8 +35,8 @@ std::vector<Class> classes_of(std::span<const double> observed, std::span<const 
 
 double chi_square_score(double value, int freedoms) {
   CHECK(freedoms > 0);
-  const double spread = 2.0 / (9.0 * freedoms);
-  return (std::cbrt(value / freedoms) - (1.0 - spread)) / std::sqrt(spread);
+  const double variance = 2.0 / (9.0 * freedoms);
+  return (std::cbrt(value / freedoms) - (1.0 - variance)) / std::sqrt(variance);
 }
 
 ChiSquare chi_square(std::span<const double> observed, std::span<const double> expected,

@@ -4,8 +4,8 @@
 
 namespace mapbed {
 
-// Mean and spread of numbers that come one after the other, without keeping them (Welford 1962).
-// Exact to rounding also where the mean is large against the spread.
+// Mean and variance of numbers that come one after the other, without keeping them (Welford 1962).
+// Exact to rounding also where the mean is large against the standard deviation.
 class Moments {
  public:
   void add(double value) {

@@ -40,11 +40,11 @@ std::vector<Pose2> path_through(const std::vector<Eigen::Vector2d>& way_points,
 }
 
 Pose2 with_odometry_noise(const Pose2& motion, const DriveOptions& options, Rng& rng) {
-  const double way = std::hypot(motion.x, motion.y);
+  const double distance = std::hypot(motion.x, motion.y);
   const double turn = std::abs(motion.theta);
-  const double forward = rng.normal(0.0, options.forward_sigma * std::sqrt(way));
+  const double forward = rng.normal(0.0, options.forward_sigma * std::sqrt(distance));
   const double heading = rng.normal(0.0, options.turn_sigma * std::sqrt(turn)) +
-                         rng.normal(0.0, options.drift_sigma * std::sqrt(way));
+                         rng.normal(0.0, options.drift_sigma * std::sqrt(distance));
   return {motion.x + forward, motion.y, normalized_angle(motion.theta + heading)};
 }
 

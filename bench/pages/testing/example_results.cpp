@@ -3,13 +3,13 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <sstream>
 
 #include "bench/plot/heat_map.h"
 #include "bench/plot/plot.h"
 #include "bench/results/plan_yaml.h"
 #include "bench/results/replay.h"
 #include "bench/results/result_folder.h"
+#include "core/config/settings.h"
 #include "core/file/text_file.h"
 #include "core/image/png.h"
 
@@ -19,10 +19,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::string config_of(const Results& plan) {
-  std::istringstream lines(plan_yaml(plan));
-  std::string text = "scenario:\n";
-  for (std::string line; std::getline(lines, line);) text += "  " + line + "\n";
-  return text;
+  return "scenario:\n" + indented(plan_yaml(plan));
 }
 
 // A filter on and off under two noises, with one seed; half of the runs were done.

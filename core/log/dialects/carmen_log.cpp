@@ -52,6 +52,11 @@ bool is_sensible(const LaserMount& mount) {
          std::abs(mount.beam_period) <= 1.0;
 }
 
+bool are_the_same(const Odometry& a, const Odometry& b) {
+  return a.time == b.time && a.odometry_from_robot == b.odometry_from_robot &&
+         a.forward_velocity == b.forward_velocity && a.turn_velocity == b.turn_velocity;
+}
+
 class CarmenReader : public LogLineReader {
  public:
   CarmenReader(const std::string& name, const LogOptions& options)
@@ -77,6 +82,11 @@ class CarmenReader : public LogLineReader {
   RecordedLog finish_lines() override { return builder_.finish("CARMEN"); }
 
  private:
+  struct LastScan {
+    int laser = 0;
+    Odometry odometry;
+  };
+
   // ipc_stamp host logger_stamp; the oldest logs have the first only.
   double read_stamp(Tokens& tokens) {
     const double ipc = tokens.number();
@@ -195,7 +205,11 @@ class CarmenReader : public LogLineReader {
     }
     has_robot_scans_ = true;
     last_stamp_ = scan.time;
-    builder_.add(odometry, line_);
+    // Of lasers that scan at one moment, each line repeats the odometry.
+    const bool repeats = last_scan_ && last_scan_->laser != scan.laser &&
+                         are_the_same(last_scan_->odometry, odometry);
+    if (!repeats) builder_.add(odometry, line_);
+    last_scan_ = {scan.laser, odometry};
     builder_.add(std::move(scan), line_);
   }
 
@@ -240,6 +254,7 @@ class CarmenReader : public LogLineReader {
   double last_stamp_ = 0.0;  // [s]
   bool has_raw_scans_ = false;
   bool has_robot_scans_ = false;
+  std::optional<LastScan> last_scan_;  // that came with odometry
   std::set<std::string> known_kinds_;
   std::map<int, LaserMount> mounts_;
 };

@@ -16,9 +16,10 @@
 //   PARAM name value…
 //
 // A laser line gives an Odometry and a LaserScan of the same stamp. FLASER's first pose is ignored:
-// in corrected logs it is not what the robot measured. '#' begins a comment. Messages of other
-// kinds are skipped and counted. A stamp of 0 among later ones is no stamp: the line takes the
-// other stamp that it has, else that of the line before.
+// in corrected logs it is not what the robot measured. Lines of two lasers that say the very same
+// odometry, stamp included, give it once. '#' begins a comment. Messages of other kinds are skipped
+// and counted. A stamp of 0 among later ones is no stamp: the line takes the other stamp that it
+// has, else that of the line before.
 //
 // What CARMEN's lines have no place for stands in lines of our own, which other readers skip:
 //

@@ -219,6 +219,16 @@ TEST(CarmenLog, ATiltedSecondLaserAndBeamTimesReadBackTheSame) {
   EXPECT_EQ(text.find("LASERMOUNT"), text.rfind("LASERMOUNT"));  // once
 }
 
+TEST(CarmenLog, LasersThatScanAtOneMomentShareTheirOdometry) {
+  RecordedLog log = drive();
+  for (std::size_t i = 1; i < log.measurements.size(); i += 3) {  // odometry, scan, scan, …
+    LaserScan rear = scan_at(log, i);
+    rear.laser = 1;
+    log.measurements.insert(log.measurements.begin() + static_cast<std::ptrdiff_t>(i) + 1, rear);
+  }
+  expect_equal(parse_log("a.log", carmen_text(log)), log);
+}
+
 TEST(CarmenLog, AsManyLasersAsThereAreReadBackTheSame) {
   std::vector<Mount> mounts;
   for (int i = 0; i < 11; ++i) mounts.push_back({{0.1 * i, 0.05, 0.2}, 0.3 * i, 0.0, 0.0});

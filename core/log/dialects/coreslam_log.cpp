@@ -67,16 +67,16 @@ class CoreslamReader : public LogLineReader {
     return value;
   }
 
-  // Dead reckoning along an arc: half the turn, the chord's way, the other half.
+  // Dead reckoning along an arc: half the turn, the chord, the other half.
   Pose2 follow(double left, double right) {
     if (ticks_) {
       const double meters_per_tick = 2.0 * kPi * wheels_.wheel_radius / wheels_.ticks_per_turn;
-      const double left_way = meters_per_tick * (left - ticks_->first);
-      const double right_way =
+      const double left_arc = meters_per_tick * (left - ticks_->first);
+      const double right_arc =
           meters_per_tick * wheels_.left_right_ratio * (right - ticks_->second);
-      const double turn = (right_way - left_way) / (2.0 * wheels_.half_track);
-      const double way = 0.5 * (left_way + right_way);
-      const double chord = std::abs(turn) < 1e-9 ? way : way * std::sin(turn / 2) / (turn / 2);
+      const double turn = (right_arc - left_arc) / (2.0 * wheels_.half_track);
+      const double arc = 0.5 * (left_arc + right_arc);
+      const double chord = std::abs(turn) < 1e-9 ? arc : arc * std::sin(turn / 2) / (turn / 2);
       pose_ = pose_ *
               Pose2{chord * std::cos(turn / 2), chord * std::sin(turn / 2), normalized_angle(turn)};
     }
