@@ -94,19 +94,27 @@ std::vector<CatalogueEntry> scenario_entries() {
 }
 
 std::string text_of(const Experiment& experiment) {
-  std::string text = "metrics:\n";
+  const auto line = [](const std::string& name, const std::string& about, Unit unit) {
+    return "  " + name + "  # " + about + (unit == Unit::none ? "" : ", " + unit_name(unit)) + "\n";
+  };
+  std::string text = "needs: " + text_of(experiment.needs) + "\n";
+  for (const std::string& log : experiment.further_logs) text += "further log: " + log + "\n";
+  text += "metrics:\n";
   for (const Metric& metric : experiment.metrics) {
-    const std::string unit = metric.unit == Unit::none ? "" : ", " + unit_name(metric.unit);
-    text += "  " + metric.name + "  # " + metric.about + unit + "\n";
+    text += line(metric.name, metric.about, metric.unit);
   }
-  return text + "options:\n" + experiment.complete_yaml({});
+  if (!experiment.series.empty()) text += "series, which stand among a scenario's metrics:\n";
+  for (const SeriesMetric& series : experiment.series) {
+    text += line(series.name, "over " + series.x_name + ": " + series.about, series.unit);
+  }
+  return text + "options:\n" + experiment.configure({}).complete_yaml;
 }
 
 std::vector<CatalogueEntry> experiment_entries() {
   std::vector<CatalogueEntry> entries;
   for (const Experiment& experiment : experiments()) {
-    entries.push_back(
-        {experiment.name, experiment.about, [&experiment] { return text_of(experiment); }});
+    entries.push_back({experiment.name, experiment.about + "; needs " + text_of(experiment.needs),
+                       [&experiment] { return text_of(experiment); }});
   }
   return entries;
 }

@@ -2,7 +2,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include "bench/cli/output_folder.h"
 #include "bench/cli/progress.h"
 #include "bench/pages/overview_page.h"
+#include "bench/process/thread_limit.h"
 #include "bench/results/figures.h"
 #include "bench/results/result_tables.h"
 #include "bench/scenario/run_scenario.h"
@@ -78,7 +78,7 @@ int print_one_run(const ScenarioPlan& plan, int number) {
     throw InputError(
         fmt::format("there is no run {}; this scenario has 0 to {}", number, plan.runs() - 1));
   }
-  const std::string& missing = plan.planned_of(plan.row(number)).source.missing;
+  const std::string missing = plan.planned_of(plan.row(number)).missing();
   if (!missing.empty()) throw InputError(missing + "; set MAPBED_DATA to the folder that holds it");
   Results results = plan.results;
   results.runs.push_back(repeat_run(plan, number));
@@ -98,8 +98,7 @@ int run(const RunArguments& arguments) {
   ScenarioRunOptions options{.folder = folder_of(arguments, plan.scenario),
                              .restart = arguments.restart,
                              .command = command_of(arguments)};
-  const int processors = static_cast<int>(std::thread::hardware_concurrency());
-  options.threads = arguments.threads > 0 ? arguments.threads : std::max(1, processors);
+  options.threads = arguments.threads > 0 ? arguments.threads : processors();
   make_output_folder(options.folder);
   const ScenarioRun result = [&] {
     Progress progress(plan.scenario.id, plan.runs_to_do().size());

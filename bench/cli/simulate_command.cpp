@@ -1,4 +1,3 @@
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,14 +7,13 @@
 
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
+#include "bench/process/stopwatch.h"
 #include "bench/scenario/scenario_log.h"
 #include "bench/sources/log_source.h"
 #include "core/input_error.h"
 
 namespace mapbed {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 struct SimulateArguments {
   std::string scenario;
@@ -44,7 +42,7 @@ ScenarioChoice choice_of(const SimulateArguments& a) {
 }
 
 struct SimulationToRun {
-  SimulationPlan plan;
+  PreparedSimulation simulation;
   std::uint64_t seed;
 };
 
@@ -57,14 +55,14 @@ SimulationToRun simulation_of(const SimulateArguments& a) {
   if (a.world.empty() || a.robot.empty()) {
     throw InputError("simulate needs a scenario file, or --world and --robot");
   }
-  return {simulation_plan(choice.settings), a.seed.value_or(1)};
+  return {prepare_simulation(simulation_plan(choice.settings)), a.seed.value_or(1)};
 }
 
 int simulate(const SimulateArguments& arguments) {
   const SimulationToRun to_run = simulation_of(arguments);
-  const Clock::time_point start = Clock::now();
-  const SimulationResult result = run_simulation(to_run.plan, to_run.seed);
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const Stopwatch stopwatch;
+  const SimulationResult result = run_simulation(to_run.simulation, to_run.seed);
+  const double seconds = stopwatch.seconds();
   write_simulation(arguments.log, result);
 
   const auto& scans = result.recording.scans;

@@ -25,7 +25,7 @@ void visit_fields(EndPointsOptions& o, Visitor&& visit) {
 struct Difference {
   int cells = 0;       // that are known to both
   double mean = 0.0;   // of |a - b|
-  double agree = 0.0;  // share of cells on the same side of 0.5
+  double agree = 0.0;  // fraction of cells on the same side of 0.5
 };
 
 Difference difference_of(const OccupancyMap& a, const OccupancyMap& b) {
@@ -76,12 +76,13 @@ RunOutcome run(const EndPointsOptions& options, const RunInput& input) {
 
 Experiment end_points_experiment() {
   return make_experiment<EndPointsOptions>(
-      "end_points", "end points alone by the odds and by the counting model, Figure 2.10", true,
+      "end_points", "end points alone by the odds and by the counting model, Figure 2.10",
+      Experiment::Needs::truth,
       {{"hit_cells", Unit::none, "cells in which a beam ended"},
        {"end_point_difference", Unit::none, "mean difference of the two models in these cells"},
-       {"end_point_agreement", Unit::none, "share of these cells on the same side of 0.5"},
+       {"end_point_agreement", Unit::none, "fraction of these cells on the same side of 0.5"},
        {"full_difference", Unit::none, "the same of the models with free space, in known cells"},
-       {"full_agreement", Unit::none, "share of the known cells on the same side of 0.5"}},
+       {"full_agreement", Unit::none, "fraction of the known cells on the same side of 0.5"}},
       run);
 }
 

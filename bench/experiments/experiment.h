@@ -1,44 +1,18 @@
 #pragma once
 
 #include <functional>
-#include <limits>
-#include <memory>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "bench/metrics/relations.h"
 #include "bench/results/result_file.h"
 #include "bench/results/results.h"
 #include "bench/results/series.h"
+#include "bench/sources/run_input.h"
+#include "core/config/configured.h"
 #include "core/config/settings.h"
-#include "core/geometry/trajectory.h"
-#include "core/log/sensor_log.h"
-#include "core/random.h"
-#include "sim/recorder.h"
-#include "worlds/geometry/raster.h"
 
 namespace mapbed {
-
-// What a run works on. Only metrics may look beyond the log.
-struct RunInput {
-  SensorLog log;                         // empty where the experiment needs none
-  Trajectory truth;                      // world_from_robot, by time; empty: nobody knows
-  const Recording* recording = nullptr;  // null for a recorded log
-  const World* world = nullptr;          // the same
-  // The world's true map with cells of this size [m]; none for a recorded log.
-  std::function<const TrueMap&(double resolution)> true_map = {};
-  // How the robot truly moved between pairs of stamps; none where nobody measured that.
-  std::function<const MeasuredRelations&()> relations = {};
-  Rng rng{0};
-  std::set<std::string> wanted;  // metrics; others need not be worked out
-  bool shown = false;            // pictures of this run are wanted too
-  // Which run it is, for them: "raw, people = 5"; empty: seeds alone set the runs apart.
-  std::string label = {};
-};
-
-// Without what comes later than `longest` [s] after the log's start; 0: all of it.
-RunInput shortened(RunInput input, double longest);
 
 struct RunOutcome {
   // By name; one that is left out has no value in this run.
@@ -49,17 +23,31 @@ struct RunOutcome {
   std::vector<Series> series;  // those of Experiment::series, where the run has them
 };
 
-// What a scenario's runs do. A new one is a file in this folder and a line in the table.
+// What a scenario's runs do. A new one is a file pair in this folder and a line in the table.
 struct Experiment {
+  // What the runs work on; each of these includes those before it.
+  enum class Needs : int {
+    nothing,  // no log at all: settings and chance alone
+    log,      // measurements, of a recorded log or of a simulated one
+    truth,    // and the true path
+    world,    // and the world itself: its things, materials and true map
+  };
+
   std::string name;
   std::string about;
-  bool needs_log = true;
+  Needs needs = Needs::log;
   std::vector<Metric> metrics;
-  // Applies settings to the options, which it gives back in full; throws InputError.
-  std::function<std::string(const Settings&)> complete_yaml;
-  std::function<RunOutcome(const Settings&, const RunInput&)> run;
+  // Settings become typed options, once for each level and variant; throws InputError. What comes
+  // of it does a run.
+  std::function<Configured<RunOutcome(const RunInput&)>(const Settings&)> configure;
   std::vector<SeriesMetric> series = {};  // what its runs give over iterations or time
+  // Names of logs that a run needs besides the scenario's own: "mapping" for the drive that the map
+  // is made of. A group of that name in the scenario says what differs in it.
+  std::vector<std::string> further_logs = {};
 };
+
+// The words of Experiment::Needs: "nothing", "a log", …
+std::string text_of(Experiment::Needs needs);
 
 const std::vector<Experiment>& experiments();
 
@@ -68,25 +56,18 @@ const Experiment& experiment_by_name(const std::string& name, const SourceLocati
 
 // One that has an options struct: `run` is called with the options and the input.
 template <class Options>
-Experiment make_experiment(const std::string& name, const std::string& about, bool needs_log,
-                           std::vector<Metric> metrics,
+Experiment make_experiment(const std::string& name, const std::string& about,
+                           Experiment::Needs needs, std::vector<Metric> metrics,
                            RunOutcome (*run)(const Options&, const RunInput&)) {
-  const auto options_from = [name](const Settings& settings) {
+  const auto configure = [name, run](const Settings& settings) {
     Options options;
     apply(settings, options_of(options), name);
-    return options;
+    const std::string yaml = to_yaml(options_of(options));
+    return Configured<RunOutcome(const RunInput&)>{
+        yaml,
+        [options = std::move(options), run](const RunInput& input) { return run(options, input); }};
   };
-  return {name,
-          about,
-          needs_log,
-          std::move(metrics),
-          [options_from](const Settings& settings) {
-            Options options = options_from(settings);
-            return to_yaml(options_of(options));
-          },
-          [options_from, run](const Settings& settings, const RunInput& input) {
-            return run(options_from(settings), input);
-          }};
+  return {name, about, needs, std::move(metrics), configure};
 }
 
 }  // namespace mapbed

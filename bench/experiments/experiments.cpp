@@ -20,11 +20,18 @@ const std::vector<Experiment>& experiments() {
   return table;
 }
 
-RunInput shortened(RunInput input, double longest) {
-  if (longest <= 0.0 || input.log.empty()) return input;
-  const double end = time_of(input.log.front()) + longest;
-  std::erase_if(input.log, [end](const Measurement& m) { return time_of(m) > end; });
-  return input;
+std::string text_of(Experiment::Needs needs) {
+  switch (needs) {
+    case Experiment::Needs::nothing:
+      return "nothing";
+    case Experiment::Needs::log:
+      return "a log";
+    case Experiment::Needs::truth:
+      return "a log with the true path";
+    case Experiment::Needs::world:
+      return "a log with its world";
+  }
+  return {};
 }
 
 const Experiment& experiment_by_name(const std::string& name, const SourceLocation& place) {

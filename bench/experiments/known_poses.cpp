@@ -9,6 +9,7 @@
 #include "bench/metrics/map_error.h"
 #include "bench/plot/map_picture.h"
 #include "core/image/png.h"
+#include "sim/recorder.h"
 
 namespace mapbed {
 namespace {
@@ -97,13 +98,14 @@ RunOutcome run(const KnownPosesOptions& options, const RunInput& input) {
 
 Experiment known_poses_experiment() {
   return make_experiment<KnownPosesOptions>(
-      "known_poses", "a map of the scans at their true poses, Figures 2.8 and 2.9", true,
+      "known_poses", "a map of the scans at their true poses, Figures 2.8 and 2.9",
+      Experiment::Needs::truth,
       {{"glass_cells", Unit::none, "cells that are truly glass and were seen"},
-       {"glass_between", Unit::none, "share of these that the map puts into (0.1, 0.9)"},
-       {"glass_occupied", Unit::none, "share of these that the map gives 0.5 or more"},
+       {"glass_between", Unit::none, "fraction of these that the map puts into (0.1, 0.9)"},
+       {"glass_occupied", Unit::none, "fraction of these that the map gives 0.5 or more"},
        {"map_f1", Unit::none, "of occupied cells against the world's own map, see map_error.h"},
-       {"map_precision", Unit::none, "share of the occupied cells that are right"},
-       {"map_recall", Unit::none, "share of the true occupied cells that were found"},
+       {"map_precision", Unit::none, "fraction of the occupied cells that are right"},
+       {"map_recall", Unit::none, "fraction of the true occupied cells that were found"},
        {"mean_entropy", Unit::none, "[bit] of the known cells"}},
       run);
 }

@@ -279,7 +279,8 @@ RunOutcome run(const LaserReadingsOptions& options, const RunInput& input) {
 
 Experiment laser_readings_experiment() {
   return make_experiment<LaserReadingsOptions>(
-      "laser_readings", "readings of the simulated laser against its specification", false,
+      "laser_readings", "readings of the simulated laser against its specification",
+      Experiment::Needs::nothing,
       {{"chi_square_score", Unit::none,
         "misfit of the readings' histogram; standard normal where they are as specified"},
        {"classes", Unit::none, "that the histogram has for it"},

@@ -130,8 +130,9 @@ RunOutcome run(const MatchingBasinOptions& options, const RunInput& input) {
 
 Experiment matching_basin_experiment() {
   return make_experiment<MatchingBasinOptions>(
-      "matching_basin", "from how far away a matcher finds back, Figures 2.12 and 2.13", true,
-      {{"success_rate", Unit::none, "share of the matches within 10 cm and 1 deg", 0.0},
+      "matching_basin", "from how far away a matcher finds back, Figures 2.12 and 2.13",
+      Experiment::Needs::truth,
+      {{"success_rate", Unit::none, "fraction of the matches within 10 cm and 1 deg", 0.0},
        {"median_distance", Unit::meter, "from the true pose to the one found"},
        {"median_turn", Unit::radian, "the same of the heading"}},
       run);

@@ -1,16 +1,14 @@
 #include "bench/experiments/motion_models.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <span>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
 
 #include "algorithms/motion/motion_learning.h"
 #include "algorithms/rbpf/grid_slam.h"
-#include "bench/plot/plot.h"
-#include "core/geometry/angle.h"
+#include "bench/experiments/motion_clouds.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -41,6 +39,17 @@ void visit_fields(MotionModelsExperiment& o, Visitor&& visit) {
   visit("filter", o.filter, "how scans are matched and condensed; the particle filter's options");
   visit("reference", o.reference,
         "the particle filter whose path stands for the true one where nobody knows that");
+}
+
+// The options, and the models of the parameter files that they name.
+struct Setup {
+  MotionModelsExperiment options;
+  std::optional<MotionModelOptions> odometry;
+  std::optional<MotionModelOptions> matching;
+};
+
+std::optional<MotionModelOptions> model_of(const std::string& file) {
+  return file.empty() ? std::nullopt : std::optional(load_motion_model(file));
 }
 
 // The true path; of a recorded log what the particle filter makes of it, as in section 5.3.
@@ -95,93 +104,6 @@ std::vector<MotionSample> part_of(const std::vector<MotionSample>& samples, bool
                     : std::vector<MotionSample>(middle, samples.end());
 }
 
-// Where the robot may be after each of some moves.
-using Clouds = std::vector<std::vector<Pose2>>;
-
-Clouds clouds_of(std::span<const MotionSample> moves, const MotionModelOptions& model, int samples,
-                 Rng rng) {
-  Clouds clouds;
-  std::vector<Pose2> cloud(static_cast<std::size_t>(samples));
-  for (const MotionSample& move : moves) {
-    for (Pose2& pose : cloud) pose = pose * sampled_motion(move.measured, model, rng);
-    clouds.push_back(cloud);
-  }
-  return clouds;
-}
-
-struct Ellipse {
-  Eigen::Vector2d center = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d root = Eigen::Matrix2d::Zero();  // of the covariance
-  static constexpr double kRadius = 2.447746831;   // 95 %: sqrt of chi-squared with 2 freedoms
-
-  double area() const { return kPi * kRadius * kRadius * std::abs(root.determinant()); }  // [m^2]
-};
-
-Ellipse ellipse_of(const std::vector<Pose2>& cloud) {
-  Ellipse ellipse;
-  const auto n = static_cast<double>(cloud.size());
-  for (const Pose2& pose : cloud) ellipse.center += pose.position() / n;
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  for (const Pose2& pose : cloud) {
-    const Eigen::Vector2d off = pose.position() - ellipse.center;
-    covariance += off * off.transpose() / n;
-  }
-  ellipse.root = covariance.llt().matrixL();
-  return ellipse;
-}
-
-PlotSeries dots_of(const std::string& name, const Clouds& clouds) {
-  constexpr std::size_t kDrawn = 150;  // of each cloud
-  PlotSeries series{.name = name, .mark = Mark::dots};
-  for (const std::vector<Pose2>& cloud : clouds) {
-    for (std::size_t i = 0; i < std::min(kDrawn, cloud.size()); ++i) {
-      series.x.push_back(cloud[i].x);
-      series.y.push_back(cloud[i].y);
-    }
-  }
-  return series;
-}
-
-PlotSeries outline_of(const std::string& name, const Ellipse& ellipse, int like) {
-  PlotSeries series{.name = name, .mark = Mark::path, .like = like};
-  for (int i = 0; i <= 72; ++i) {
-    const double angle = radians(5.0 * i);
-    const Eigen::Vector2d point =
-        ellipse.center +
-        Ellipse::kRadius * ellipse.root * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    series.x.push_back(point.x());
-    series.y.push_back(point.y());
-  }
-  return series;
-}
-
-PlotSeries true_path(std::span<const MotionSample> moves) {
-  PlotSeries series{.name = "true path", .x = {0.0}, .y = {0.0}};
-  Pose2 pose;
-  for (const MotionSample& move : moves) {
-    pose = pose * move.reference;
-    series.x.push_back(pose.x);
-    series.y.push_back(pose.y);
-  }
-  return series;
-}
-
-std::vector<ResultFile> figure_of(std::span<const MotionSample> moves, const Clouds& odometry,
-                                  const Clouds& matching, const std::string& label) {
-  Plot plot{.title = fmt::format("Where the robot may be after each of {} moves", moves.size()),
-            .subtitle = (label.empty() ? "" : label + "; ") +
-                        "those of the median ratio of areas; 150 samples of each, by the models "
-                        "learned from the other half of the drive; ellipses: 95 % after the last "
-                        "move; beside Figure 5.3",
-            .x = {"x, the robot looks along it at the start", "m"},
-            .y = {"y", "m"},
-            .equal_scales = true};
-  plot.series = {dots_of("raw odometry", odometry), dots_of("scan matching", matching),
-                 outline_of("", ellipse_of(odometry.back()), 0),
-                 outline_of("", ellipse_of(matching.back()), 1), true_path(moves)};
-  return {{"figures/clouds.svg", svg_of(plot)}, {"figures/clouds.csv", csv_of(plot)}};
-}
-
 void report_model(const std::string& name, const MotionModelOptions& m, RunOutcome& outcome) {
   for (const auto& [parameter, value] :
        std::vector<std::pair<std::string, double>>{{"turn_noise", m.turn_noise},
@@ -204,25 +126,26 @@ void report_calibration(const std::string& name, const std::vector<MotionSample>
   outcome.values.emplace_back(name + "_error_memory", error_memory_of(held_out, model));
 }
 
-// Learns, and checks on the held-out half.
-MotionModelOptions judged_model(const std::string& name, const std::vector<MotionSample>& samples,
-                                const std::string& file, const RunInput& input,
-                                RunOutcome& outcome) {
+// Learns, and checks on the held-out half; the model of the parameter file as well.
+MotionModelOptions learned_and_checked(const std::string& name,
+                                       const std::vector<MotionSample>& samples,
+                                       const std::optional<MotionModelOptions>& of_file,
+                                       const RunInput& input, RunOutcome& outcome) {
   const std::vector<MotionSample> held_out = part_of(samples, false);
   MotionModelOptions learned = learned_motion_model(part_of(samples, true));
   report_model(name, learned, outcome);
   report_calibration(name, held_out, learned, outcome);
-  if (!file.empty()) report_calibration(name + "_file", held_out, load_motion_model(file), outcome);
+  if (of_file) report_calibration(name + "_file", held_out, *of_file, outcome);
   if (input.shown) {
     outcome.files.push_back({"learned/" + name + ".yaml", to_yaml(options_of(learned))});
   }
   return learned;
 }
 
-// Clouds of the same moves by both models.
+// MotionClouds of the same moves by both models.
 struct Comparison {
   std::size_t first = 0;  // of the moves, in the held-out half
-  Clouds odometry, matching;
+  MotionClouds odometry, matching;
 
   double odometry_area() const { return ellipse_of(odometry.back()).area(); }
   double matching_area() const { return ellipse_of(matching.back()).area(); }
@@ -251,15 +174,16 @@ Comparison compared(const Motions& held_out, const MotionModelOptions& odometry,
   return std::move(*middle);
 }
 
-RunOutcome run(const MotionModelsExperiment& options, const RunInput& whole_input) {
+RunOutcome run(const Setup& setup, const RunInput& whole_input) {
+  const MotionModelsExperiment& options = setup.options;
   const RunInput input = shortened(whole_input, options.longest);
   const Motions motions = motions_of(options, input);
   RunOutcome outcome;
   outcome.values.emplace_back("motions", static_cast<double>(motions.odometry.size()));
   const MotionModelOptions odometry =
-      judged_model("odometry", motions.odometry, options.odometry_file, input, outcome);
+      learned_and_checked("odometry", motions.odometry, setup.odometry, input, outcome);
   const MotionModelOptions matching =
-      judged_model("matching", motions.matching, options.matching_file, input, outcome);
+      learned_and_checked("matching", motions.matching, setup.matching, input, outcome);
   const Motions held_out{part_of(motions.odometry, false), part_of(motions.matching, false)};
   const Comparison typical = compared(held_out, odometry, matching, options, input.rng);
   outcome.values.emplace_back("odometry_cloud_area", typical.odometry_area());
@@ -268,10 +192,19 @@ RunOutcome run(const MotionModelsExperiment& options, const RunInput& whole_inpu
   if (!input.shown) return outcome;
   const auto moves = std::span<const MotionSample>(held_out.odometry)
                          .subspan(typical.first, static_cast<std::size_t>(options.moves));
-  for (ResultFile& file : figure_of(moves, typical.odometry, typical.matching, input.label)) {
+  for (ResultFile& file : clouds_figure(moves, typical.odometry, typical.matching, input.label)) {
     outcome.files.push_back(std::move(file));
   }
   return outcome;
+}
+
+Configured<RunOutcome(const RunInput&)> configure(const Settings& settings) {
+  Setup setup;
+  apply(settings, options_of(setup.options), "motion_models");
+  setup.odometry = model_of(setup.options.odometry_file);
+  setup.matching = model_of(setup.options.matching_file);
+  const std::string yaml = to_yaml(options_of(setup.options));
+  return {yaml, [setup = std::move(setup)](const RunInput& input) { return run(setup, input); }};
 }
 
 // Of odometry and of scan matching alike.
@@ -281,19 +214,19 @@ void add_metrics(const std::string& name, const std::string& what, std::vector<M
   };
   add("cloud_area", Unit::none, "[m^2] of the 95 % ellipse of x and y after the last move");
   add("normalized_error", Unit::none, "mean squared error on held-out motions by the model's own");
-  add("inside", Unit::none, "share of held-out motions within the model's 95 % ellipsoid");
+  add("inside", Unit::none, "fraction of held-out motions within the model's 95 % ellipsoid");
   add("error_memory", Unit::none, "correlation of the errors of successive held-out motions");
   add("file_error_memory", Unit::none, "the correlation, by the parameter file");
   add("file_normalized_error", Unit::none, "the mean squared error, by the parameter file");
-  add("file_inside", Unit::none, "the share inside, by the parameter file");
+  add("file_inside", Unit::none, "the fraction inside, by the parameter file");
   add("turn_noise", Unit::radian, "learned spread of a turn after 1 rad");
   add("turn_per_meter", Unit::radian, "learned spread of a turn after 1 m");
   add("way_per_meter", Unit::meter, "learned spread of the way after 1 m");
   add("way_per_turn", Unit::meter, "learned spread of the way after 1 rad");
   add("floor_turn", Unit::radian, "learned least spread of a turn");
   add("floor_way", Unit::meter, "learned least spread of the way");
-  add("turn_bias", Unit::none, "learned mean error of turns, as a share");
-  add("way_bias", Unit::none, "learned mean error of ways, as a share");
+  add("turn_bias", Unit::none, "learned mean error of turns, as a fraction");
+  add("way_bias", Unit::none, "learned mean error of ways, as a fraction");
 }
 
 }  // namespace
@@ -305,9 +238,11 @@ Experiment motion_models_experiment() {
        "area of odometry's cloud by that of scan matching's, median over the held-out half"}};
   add_metrics("odometry", "raw odometry", metrics);
   add_metrics("matching", "scan matching", metrics);
-  return make_experiment<MotionModelsExperiment>(
-      "motion_models", "error models of odometry and scan matching are learned, section 5.3", true,
-      std::move(metrics), run);
+  return {.name = "motion_models",
+          .about = "error models of odometry and scan matching are learned, section 5.3",
+          .needs = Experiment::Needs::log,
+          .metrics = std::move(metrics),
+          .configure = configure};
 }
 
 }  // namespace mapbed

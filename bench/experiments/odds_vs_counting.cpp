@@ -17,7 +17,7 @@ struct OddsVsCountingOptions {
 
 template <class Visitor>
 void visit_fields(OddsVsCountingOptions& o, Visitor&& visit) {
-  visit("model", o.model, {"counting", "odds"}, "how the cell is judged");
+  visit("model", o.model, {"counting", "odds"}, "which of them gives the occupancy");
   visit("hits", o.hits, at_least(0), "beams that ended in the cell");
   visit("misses", o.misses, at_least(0), "beams that went through it");
   visit("odds", o.odds, "one look at a cell");
@@ -41,7 +41,8 @@ RunOutcome run(const OddsVsCountingOptions& options, const RunInput& /*input*/) 
 
 Experiment odds_vs_counting_experiment() {
   return make_experiment<OddsVsCountingOptions>(
-      "odds_vs_counting", "one cell by the two models, Figures 2.6 and 2.7", false,
+      "odds_vs_counting", "one cell by the two models, Figures 2.6 and 2.7",
+      Experiment::Needs::nothing,
       {{"occupancy", Unit::none, "of the cell; none where the model says unknown"},
        {"occupancy_70_of_100", Unit::none, "of a cell that 70 of 100 beams hit"}},
       run);

@@ -26,8 +26,8 @@ double distance_to_line(const Pose2& pose, const Pose2& from, const Pose2& to) {
   const Eigen::Vector2d off = pose.position() - from.position();
   const double length = along.norm();
   if (length == 0.0) return off.norm();
-  const double share = std::clamp(off.dot(along) / (length * length), 0.0, 1.0);
-  return (off - share * along).norm();
+  const double fraction = std::clamp(off.dot(along) / (length * length), 0.0, 1.0);
+  return (off - fraction * along).norm();
 }
 
 // The poses of a path that a picture needs: all others lie within `tolerance` of the lines between
@@ -36,10 +36,10 @@ Trajectory thinned(const Trajectory& path, double tolerance) {
   if (path.size() < 3) return path;
   std::vector<bool> kept(path.size(), false);
   kept.front() = kept.back() = true;
-  std::vector<std::pair<std::size_t, std::size_t>> stretches{{0, path.size() - 1}};
-  while (!stretches.empty()) {
-    const auto [from, to] = stretches.back();
-    stretches.pop_back();
+  std::vector<std::pair<std::size_t, std::size_t>> intervals{{0, path.size() - 1}};
+  while (!intervals.empty()) {
+    const auto [from, to] = intervals.back();
+    intervals.pop_back();
     double farthest = tolerance;
     std::size_t worst = from;
     for (std::size_t i = from + 1; i < to; ++i) {
@@ -50,8 +50,8 @@ Trajectory thinned(const Trajectory& path, double tolerance) {
     }
     if (worst == from) continue;
     kept[worst] = true;
-    stretches.emplace_back(from, worst);
-    stretches.emplace_back(worst, to);
+    intervals.emplace_back(from, worst);
+    intervals.emplace_back(worst, to);
   }
   Trajectory result;
   for (std::size_t i = 0; i < path.size(); ++i) {

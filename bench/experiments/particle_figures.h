@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "algorithms/estimator.h"
-#include "bench/experiments/experiment.h"
+#include "bench/results/result_file.h"
 
 namespace mapbed {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bench/experiments/experiment.h"
+#include "bench/sources/run_input.h"
 
 namespace mapbed {
 

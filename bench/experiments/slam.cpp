@@ -4,13 +4,15 @@
 
 #include "algorithms/methods.h"
 #include "bench/experiments/particle_figures.h"
-#include "bench/experiments/slam_judge.h"
+#include "bench/experiments/slam_evaluator.h"
+#include "bench/experiments/slam_series.h"
 #include "bench/plot/map_picture.h"
 #include "bench/process/process_cost.h"
 #include "bench/results/replay.h"
 #include "core/config/suggestion.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
+#include "sim/recorder.h"
 
 namespace mapbed {
 namespace {
@@ -19,7 +21,8 @@ struct SlamOptions {
   std::string estimator = "scan_matching";
   double longest = 0.0;           // [s]
   std::vector<double> snapshots;  // [s]
-  JudgeOptions judge;
+  double series_step = 10.0;      // [s]
+  EvaluationOptions evaluation;
 };
 
 template <class Visitor>
@@ -29,13 +32,15 @@ void visit_fields(SlamOptions& o, Visitor&& visit) {
         "of the log, what comes later is left out; 0: all of it counts");
   visit("snapshots", o.snapshots, Unit::second, kNotNegative,
         "since the log's start: figures of what the particles hold possible, of the first seed");
-  visit_fields(o.judge, visit);
+  visit("series_step", o.series_step, Unit::second, kPositive,
+        "between the points of series over the log's time");
+  visit_fields(o.evaluation, visit);
 }
 
-// The options, and the settings of the method that they name.
+// The options, and the method that they name.
 struct Setup {
   SlamOptions options;
-  Settings of_method;
+  ConfiguredMethod method;
 };
 
 // As method_by_name, but tells where the name stands.
@@ -70,17 +75,15 @@ Setup setup_of(const Settings& settings) {
   apply(own, options_of(setup.options), "slam");
   check_method(setup.options.estimator, own);
   for (const auto& [name, of_method] : by_method) {
-    (void)method_by_name(name).configure(of_method);
-    if (name == setup.options.estimator) setup.of_method = of_method;
+    ConfiguredMethod method = method_by_name(name).configure(of_method);
+    if (name == setup.options.estimator) setup.method = std::move(method);
   }
   return setup;
 }
 
-std::string complete_yaml(const Settings& settings) {
-  Setup setup = setup_of(settings);
+std::string complete_yaml(Setup& setup) {
   std::string yaml = to_yaml(options_of(setup.options)) + setup.options.estimator + ":\n";
-  const std::string inner =
-      method_by_name(setup.options.estimator).configure(setup.of_method).complete_yaml;
+  const std::string& inner = setup.method.complete_yaml;
   for (std::size_t start = 0; start < inner.size();) {
     const std::size_t end = inner.find('\n', start) + 1;
     yaml += "  " + inner.substr(start, end - start);
@@ -89,11 +92,11 @@ std::string complete_yaml(const Settings& settings) {
   return yaml;
 }
 
-ResultFile picture_file(const RunInput& input, SlamJudge& judge) {
+ResultFile picture_file(const RunInput& input, SlamEvaluator& evaluator) {
   std::vector<DrawnPath> paths;
   if (!input.truth.empty()) paths.push_back({"true path", input.truth});
-  paths.push_back({"estimated path", judge.world_from_robot()});
-  return {"maps/map.png", png_of(picture_of(judge.map(), paths, {.longest_side = 1000}))};
+  paths.push_back({"estimated path", evaluator.world_from_robot()});
+  return {"maps/map.png", png_of(picture_of(evaluator.map(), paths, {.longest_side = 1000}))};
 }
 
 // The run to be watched, in the world's frame.
@@ -108,49 +111,58 @@ ResultFile replay_file(const RunInput& input, const std::string& estimator,
   return {"replays/run.json", replay_json(replay)};
 }
 
-// Adds the log, and where the run is shown takes pictures of the particles on the way.
-std::vector<ResultFile> add_log(const SlamOptions& options, const RunInput& input,
-                                Estimator& estimator) {
+// What comes of a method while the log is added to it.
+struct Watched {
   std::vector<ResultFile> figures;
-  const auto keep = [&figures](std::vector<ResultFile> files) {
-    std::move(files.begin(), files.end(), std::back_inserter(figures));
+  std::vector<Series> series;
+};
+
+// Adds the log; where the run is shown, takes pictures of the particles on the way.
+Watched add_log(const SlamOptions& options, const RunInput& input, Estimator& estimator) {
+  Watched watched;
+  const auto keep = [&watched](std::vector<ResultFile> files) {
+    std::move(files.begin(), files.end(), std::back_inserter(watched.figures));
   };
+  SlamSeries series(input, options.series_step);
   std::vector<double> left = input.shown ? options.snapshots : std::vector<double>{};
   std::sort(left.begin(), left.end(), std::greater<>());
   const double start = input.log.empty() ? 0.0 : time_of(input.log.front());
   const Pose2 world_from_map = input.truth.empty() ? Pose2{} : input.truth.front().pose;
   for (const Measurement& measurement : input.log) {
-    while (!left.empty() && time_of(measurement) - start > left.back()) {
+    const double time = time_of(measurement);
+    while (!left.empty() && time - start > left.back()) {
       keep(path_figure(estimator.hypotheses(), input.truth, world_from_map, left.back(),
                        input.label));
       left.pop_back();
     }
     estimator.add(measurement);
+    if (std::holds_alternative<LaserScan>(measurement)) series.look(time, estimator);
   }
   if (input.shown) keep(diversity_figure(estimator.hypotheses(), input.label));
-  return figures;
+  watched.series = series.finish(estimator);
+  return watched;
 }
 
-RunOutcome run(const Settings& settings, const RunInput& whole_input) {
-  const Setup setup = setup_of(settings);
+RunOutcome run(const Setup& setup, const RunInput& whole_input) {
   const RunInput input = shortened(whole_input, setup.options.longest);
-  const auto estimator = method_by_name(setup.options.estimator)
-                             .configure(setup.of_method)
-                             .make({}, input.rng.stream("estimator"));
+  const auto estimator = setup.method.make({}, input.rng.stream("estimator"));
   RunOutcome outcome;
   const double start = processor_time();
-  outcome.files = add_log(setup.options, input, *estimator);
+  Watched watched = add_log(setup.options, input, *estimator);
   estimator->finish();
   const Estimate estimate = estimator->estimate();
   outcome.method_seconds = processor_time() - start;
 
-  SlamJudge judge(setup.options.judge, input, estimate);
-  outcome.values = judge.values();
-  outcome.failure = judge.failure();
-  if (input.shown && !known_box(judge.map()).empty()) {
-    outcome.files.push_back(picture_file(input, judge));
-    outcome.files.push_back({"trajectories/estimate.tum", tum_text(judge.world_from_robot())});
-    outcome.files.push_back(replay_file(input, setup.options.estimator, judge.world_from_robot()));
+  SlamEvaluator evaluator(setup.options.evaluation, input, estimate);
+  outcome.values = evaluator.values();
+  outcome.failure = evaluator.failure();
+  outcome.files = std::move(watched.figures);
+  outcome.series = std::move(watched.series);
+  if (input.shown && !known_box(evaluator.map()).empty()) {
+    outcome.files.push_back(picture_file(input, evaluator));
+    const Trajectory& path = evaluator.world_from_robot();
+    outcome.files.push_back({"trajectories/estimate.tum", tum_text(path)});
+    outcome.files.push_back(replay_file(input, setup.options.estimator, path));
   }
   return outcome;
 }
@@ -158,8 +170,18 @@ RunOutcome run(const Settings& settings, const RunInput& whole_input) {
 }  // namespace
 
 Experiment slam_experiment() {
-  return {"slam", "a method finds the trajectory in a log", true, slam_metrics(), complete_yaml,
-          run};
+  const auto configure = [](const Settings& settings) {
+    Setup setup = setup_of(settings);
+    const std::string yaml = complete_yaml(setup);
+    return Configured<RunOutcome(const RunInput&)>{
+        yaml, [setup = std::move(setup)](const RunInput& input) { return run(setup, input); }};
+  };
+  return {.name = "slam",
+          .about = "a method finds the trajectory in a log",
+          .needs = Experiment::Needs::log,
+          .metrics = slam_metrics(),
+          .configure = configure,
+          .series = slam_series()};
 }
 
 }  // namespace mapbed

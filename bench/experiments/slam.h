@@ -4,7 +4,7 @@
 
 namespace mapbed {
 
-// A method finds the trajectory in a log, and is judged by the true one.
+// A method finds the trajectory in a log, which is evaluated against the true one.
 Experiment slam_experiment();
 
 }  // namespace mapbed

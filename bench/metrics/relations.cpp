@@ -44,9 +44,9 @@ Pose2 held_pose_at(const Trajectory& trajectory, double time) {
   const Stamped<Pose2>& a = trajectory[i - 1];
   const Stamped<Pose2>& b = trajectory[i];
   const double duration = b.time - a.time;
-  const double share =
+  const double fraction =
       duration > kSameTime ? std::clamp((time - a.time) / duration, 0.0, 1.0) : 1.0;
-  return interpolate(a.pose, b.pose, share);
+  return interpolate(a.pose, b.pose, fraction);
 }
 
 // `start` moved on as odometry did until the time at which odometry says `now`.
@@ -65,9 +65,9 @@ std::optional<Pose2> robot_at(const Trajectory& estimate, const Trajectory& odom
   if (i == estimate.size()) return p;
   const Pose2 q = carried(estimate[i], odometry, now);
   const double duration = std::max(kSameTime, estimate[i].time - estimate[i - 1].time);
-  const double share = (time - estimate[i - 1].time) / duration;
-  return Pose2{p.x + share * (q.x - p.x), p.y + share * (q.y - p.y),
-               normalized_angle(p.theta + share * angle_difference(p.theta, q.theta))};
+  const double fraction = (time - estimate[i - 1].time) / duration;
+  return Pose2{p.x + fraction * (q.x - p.x), p.y + fraction * (q.y - p.y),
+               normalized_angle(p.theta + fraction * angle_difference(p.theta, q.theta))};
 }
 
 constexpr const char* kLine = "a relation is 't1 t2 x y z roll pitch yaw' in s, m and rad";

@@ -68,7 +68,7 @@ void visit_fields(RelativeErrorOptions& o, Visitor&& visit) {
   visit("delta", o.delta, "length of the motions that are compared, in frames or metres");
   visit("unit", o.unit, {"frames", "meters"}, "what delta counts; metres along the estimate");
   visit("all_pairs", o.all_pairs, "a pair from every pose on, instead of one behind the other");
-  visit("tolerance", o.tolerance, "share of delta by which the best end of a pair may be off");
+  visit("tolerance", o.tolerance, "fraction of delta by which the best end of a pair may be off");
 }
 
 }  // namespace mapbed

@@ -15,10 +15,13 @@ struct ThreadLimit::Control {
 };
 
 ThreadLimit::ThreadLimit(int threads) {
-  const auto processors = static_cast<int>(std::thread::hardware_concurrency());
-  control_ = std::make_unique<Control>(threads > 0 ? threads : std::max(1, processors));
+  control_ = std::make_unique<Control>(threads > 0 ? threads : processors());
 }
 
 ThreadLimit::~ThreadLimit() = default;
+
+int processors() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 }  // namespace mapbed

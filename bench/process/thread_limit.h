@@ -17,4 +17,6 @@ class ThreadLimit {
   std::unique_ptr<Control> control_;
 };
 
+int processors();  // that the machine has; at least 1
+
 }  // namespace mapbed

@@ -13,10 +13,11 @@ std::string runs_text(const ScenarioPlan& plan) {
   for (std::size_t i = 0; i < plan.scenario.variants.size(); ++i) {
     const PlannedRuns& planned = plan.planned[i];
     text += yaml_scalar(plan.scenario.variants[i].name) + ":\n";
-    if (!planned.source.complete_yaml.empty()) {
-      text += "  source:\n" + indented(planned.source.complete_yaml, 4);
+    for (std::size_t k = 0; k < planned.sources.size(); ++k) {
+      const std::string name = k == 0 ? "source" : plan.experiment->further_logs[k - 1];
+      text += "  " + yaml_scalar(name) + ":\n" + indented(planned.sources[k]->complete_yaml, 4);
     }
-    text += "  experiment:\n" + indented(planned.experiment_yaml, 4);
+    text += "  experiment:\n" + indented(planned.experiment.complete_yaml, 4);
   }
   return text;
 }

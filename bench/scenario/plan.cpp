@@ -8,6 +8,7 @@
 #include "bench/results/claim_check.h"
 #include "bench/results/plot_spec.h"
 #include "bench/scenario/config_text.h"
+#include "bench/sources/source_settings.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
 
@@ -25,30 +26,38 @@ void check_count(const Scenario& scenario) {
       fmt::format("at most {:.0f} are run; sweep less or take fewer seeds", kMostRuns));
 }
 
-std::vector<std::string> names_of(const std::vector<Metric>& metrics) {
+// Of everything that it measures.
+std::vector<std::string> names_of(const Experiment& experiment) {
   std::vector<std::string> names;
-  for (const Metric& metric : metrics) names.push_back(metric.name);
+  for (const Metric& metric : experiment.metrics) names.push_back(metric.name);
+  for (const SeriesMetric& series : experiment.series) names.push_back(series.name);
   return names;
 }
 
-std::vector<Metric> chosen_metrics(const Scenario& scenario, const Experiment& experiment) {
-  std::vector<Metric> chosen;
+// Appends the one of this name to the chosen ones.
+template <class Described>
+bool choose(const std::string& name, const std::vector<Described>& all,
+            std::vector<Described>& chosen) {
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Described& metric) { return metric.name == name; });
+  if (found == all.end()) return false;
+  chosen.push_back(*found);
+  return true;
+}
+
+// Those that the scenario names under 'metrics': numbers and series.
+void choose_metrics(const Scenario& scenario, const Experiment& experiment, Results& results) {
   for (const std::string& name : scenario.metrics) {
-    const auto found = std::find_if(experiment.metrics.begin(), experiment.metrics.end(),
-                                    [&](const Metric& metric) { return metric.name == name; });
-    if (found == experiment.metrics.end()) {
-      throw InputError(scenario.metrics_place,
-                       "unknown metric '" + name + "' of experiment " + experiment.name,
-                       suggestion(name, names_of(experiment.metrics)));
-    }
-    chosen.push_back(*found);
+    if (choose(name, experiment.metrics, results.metrics)) continue;
+    if (choose(name, experiment.series, results.series_metrics)) continue;
+    throw InputError(scenario.metrics_place,
+                     "unknown metric '" + name + "' of experiment " + experiment.name,
+                     suggestion(name, names_of(experiment)));
   }
-  if (chosen.empty()) {
-    throw InputError(
-        {scenario.path}, "nothing is measured",
-        "name one or more under 'metrics'; " + suggestion("", names_of(experiment.metrics)));
+  if (scenario.metrics.empty()) {
+    throw InputError({scenario.path}, "nothing is measured",
+                     "name one or more under 'metrics'; " + suggestion("", names_of(experiment)));
   }
-  return chosen;
 }
 
 Results empty_results(const Scenario& scenario, const Experiment& experiment) {
@@ -63,7 +72,7 @@ Results empty_results(const Scenario& scenario, const Experiment& experiment) {
   results.axes = scenario.axes;
   results.levels = levels_of(scenario.axes);
   for (const Variant& variant : scenario.variants) results.variants.push_back(variant.name);
-  results.metrics = chosen_metrics(scenario, experiment);
+  choose_metrics(scenario, experiment, results);
   results.plots = scenario.plots;
   results.claims = scenario.claims;
   return results;
@@ -73,8 +82,8 @@ Results empty_results(const Scenario& scenario, const Experiment& experiment) {
 std::vector<std::string> skipped_in(const ScenarioPlan& plan) {
   std::map<std::string, int> runs_by_reason;
   for (const PlannedRuns& planned : plan.planned) {
-    if (planned.source.missing.empty()) continue;
-    runs_by_reason[planned.source.missing] += plan.scenario.seeds;
+    const std::string missing = planned.missing();
+    if (!missing.empty()) runs_by_reason[missing] += plan.scenario.seeds;
   }
   std::vector<std::string> lines;
   for (const auto& [reason, runs] : runs_by_reason) {
@@ -94,17 +103,40 @@ void check_keys(const Scenario& scenario, const Experiment& experiment) {
   static const std::vector<std::string> kForm{
       "about", "thesis", "base",  "experiment", "sweep", "compare", "seeds", "seed",   "metrics",
       "plots", "claims", "quick", "set",        "world", "robot",   "path",  "people", "log"};
-  for (const Setting& setting : divided(scenario.settings).experiment) {
+  for (const Setting& setting : divided(scenario.settings, experiment.further_logs).experiment) {
     if (setting.path.find('.') != std::string::npos) continue;
     const std::string meant = nearest(setting.path, kForm);
     if (meant.empty()) continue;
     try {
-      (void)experiment.complete_yaml({setting});
+      (void)experiment.configure({setting});
     } catch (const InputError&) {
       throw InputError(setting.place, "unknown key " + in_quotes(setting.path),
                        "did you mean " + in_quotes(meant) + "?");
     }
   }
+}
+
+// An experiment without a log has no settings of one.
+void refuse_source(const Experiment& experiment, const Settings& source) {
+  if (source.empty()) return;
+  throw InputError(source.front().place,
+                   in_quotes(source.front().path) + " says nothing to the experiment " +
+                       experiment.name + ", which needs no log",
+                   "take it out");
+}
+
+// A source that cannot give what the experiment needs. Only recorded logs lack something.
+void check_offer(const Experiment& experiment, const SourcePlan& source, const Settings& settings) {
+  if (source.is_simulated() || !source.missing.empty()) return;
+  const bool lacks_world = experiment.needs == Experiment::Needs::world;
+  const bool lacks_truth = experiment.needs == Experiment::Needs::truth && !has_truth(source);
+  if (!lacks_world && !lacks_truth) return;
+  const Setting* log = last_named(settings, "log");
+  throw InputError(
+      log == nullptr ? SourceLocation{} : log->place,
+      fmt::format("the experiment {} needs {}, and this recorded log has no {}", experiment.name,
+                  text_of(experiment.needs), lacks_world ? "world" : "true path"),
+      "give 'world' and 'robot' instead, for a simulated log");
 }
 
 }  // namespace
@@ -116,7 +148,7 @@ int ScenarioPlan::runs() const {
 std::vector<int> ScenarioPlan::runs_to_do() const {
   std::vector<int> numbers;
   for (int run = 0; run < runs(); ++run) {
-    if (planned_of(row(run)).source.missing.empty()) numbers.push_back(run);
+    if (planned_of(row(run)).missing().empty()) numbers.push_back(run);
   }
   return numbers;
 }
@@ -134,34 +166,57 @@ const PlannedRuns& ScenarioPlan::planned_of(const RunRow& row) const {
                  static_cast<std::size_t>(row.variant)];
 }
 
+std::string PlannedRuns::missing() const {
+  for (const auto& source : sources) {
+    if (!source->missing.empty()) return source->missing;
+  }
+  return {};
+}
+
+std::shared_ptr<const SourcePlan> PlannedSources::planned(const Settings& settings) {
+  std::string texts;
+  for (const Setting& setting : settings) texts += setting.path + "=" + setting.text + "\n";
+  std::shared_ptr<const SourcePlan>& plan = by_settings_[texts];
+  if (!plan) {
+    plan = std::make_shared<const SourcePlan>(plan_source(settings, parts_));
+    check_offer(experiment_, *plan, settings);
+  }
+  return plan;
+}
+
 PlannedRuns planned_runs(const Scenario& scenario, const Experiment& experiment, const Level& level,
-                         const Variant& variant, SimulationParts& parts) {
-  PlannedRuns planned{.settings = divided(settings_of(scenario, level, variant))};
-  planned.experiment_yaml = experiment.complete_yaml(planned.settings.experiment);
-  if (experiment.needs_log) {
-    planned.source = plan_source(planned.settings.source, parts);
-  } else if (!planned.settings.source.empty()) {
-    const Setting& setting = planned.settings.source.front();
-    throw InputError(setting.place,
-                     in_quotes(setting.path) + " says nothing to the experiment " +
-                         experiment.name + ", which needs no log",
-                     "take it out");
+                         const Variant& variant, PlannedSources& sources) {
+  const DividedSettings settings =
+      divided(settings_of(scenario, level, variant), experiment.further_logs);
+  PlannedRuns planned{.experiment = experiment.configure(settings.experiment)};
+  if (experiment.needs == Experiment::Needs::nothing) {
+    refuse_source(experiment, settings.source);
+    return planned;
+  }
+  planned.sources.push_back(sources.planned(settings.source));
+  for (const std::string& name : experiment.further_logs) {
+    planned.sources.push_back(sources.planned(settings.further.at(name)));
   }
   return planned;
 }
 
 ScenarioPlan make_plan(Scenario scenario) {
+  const Experiment& experiment = experiment_by_name(scenario.experiment, scenario.experiment_place);
+  return make_plan(std::move(scenario), experiment);
+}
+
+ScenarioPlan make_plan(Scenario scenario, const Experiment& experiment) {
   check_count(scenario);
-  ScenarioPlan plan{.scenario = std::move(scenario)};
-  plan.experiment = &experiment_by_name(plan.scenario.experiment, plan.scenario.experiment_place);
+  ScenarioPlan plan{.scenario = std::move(scenario), .experiment = &experiment};
   plan.results = empty_results(plan.scenario, *plan.experiment);
   for (const Claim& claim : plan.results.claims) check_claim(claim, plan.results);
   for (const PlotSpec& plot : plan.results.plots) check_plot(plot, plan.results);
   check_keys(plan.scenario, *plan.experiment);
-  SimulationParts parts;
+  PlannedSources sources(experiment);
   for (const Level& level : plan.results.levels) {
     for (const Variant& variant : plan.scenario.variants) {
-      plan.planned.push_back(planned_runs(plan.scenario, *plan.experiment, level, variant, parts));
+      plan.planned.push_back(
+          planned_runs(plan.scenario, *plan.experiment, level, variant, sources));
     }
   }
   plan.results.skipped = skipped_in(plan);

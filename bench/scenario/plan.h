@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,11 +12,28 @@
 
 namespace mapbed {
 
-// The runs of one level and variant.
+// The runs of one level and variant, with all their settings bound.
 struct PlannedRuns {
-  DividedSettings settings;
-  std::string experiment_yaml;  // complete
-  SourcePlan source;            // empty where the experiment needs no log
+  Configured<RunOutcome(const RunInput&)> experiment;
+  // The scenario's own log, then Experiment::further_logs; empty where the experiment needs none.
+  // Runs with the same settings share them.
+  std::vector<std::shared_ptr<const SourcePlan>> sources = {};
+
+  std::string missing() const;  // why there is nothing to work on; empty: all logs are here
+};
+
+// Sources by their settings, so that each is planned once, however many runs have it.
+class PlannedSources {
+ public:
+  explicit PlannedSources(const Experiment& experiment) : experiment_(experiment) {}
+
+  // Throws InputError also where it cannot give what the experiment needs.
+  std::shared_ptr<const SourcePlan> planned(const Settings& settings);
+
+ private:
+  const Experiment& experiment_;
+  SimulationParts parts_;
+  std::map<std::string, std::shared_ptr<const SourcePlan>> by_settings_;
 };
 
 // A scenario that was checked through and through: nothing in its file can stop it any more.
@@ -32,7 +51,8 @@ struct ScenarioPlan {
 
 // All below throw InputError with place, reason and remedy.
 PlannedRuns planned_runs(const Scenario& scenario, const Experiment& experiment, const Level& level,
-                         const Variant& variant, SimulationParts& parts);
-ScenarioPlan make_plan(Scenario scenario);
+                         const Variant& variant, PlannedSources& sources);
+ScenarioPlan make_plan(Scenario scenario);  // of the experiment that it names
+ScenarioPlan make_plan(Scenario scenario, const Experiment& experiment);  // which must live on
 
 }  // namespace mapbed

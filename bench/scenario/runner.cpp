@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -32,9 +33,12 @@ using Groups = std::vector<std::vector<int>>;
 
 std::string key_of(const ScenarioPlan& plan, const RunRow& row) {
   const PlannedRuns& planned = plan.planned_of(row);
-  if (!plan.experiment->needs_log) return std::to_string(row.run);
-  const std::string seed = planned.source.depends_on_seed ? std::to_string(row.seed) : "";
-  return seed + "\n" + planned.source.key;
+  if (planned.sources.empty()) return std::to_string(row.run);
+  std::string key;
+  for (const auto& source : planned.sources) {
+    key += (source->depends_on_seed ? std::to_string(row.seed) : "") + "\n" + source->key;
+  }
+  return key;
 }
 
 Groups groups_of(const ScenarioPlan& plan, const std::vector<int>& runs) {
@@ -59,6 +63,36 @@ class Inside {
   MemoryGate& gate_;
 };
 
+// The logs in memory that runs share, the scenario's own first.
+struct OpenedLogs {
+  std::vector<std::unique_ptr<LogSource>> sources;
+  double seconds = 0.0;  // [s] of processor time that it took
+  std::string failure;   // in one line; empty: they are there
+};
+
+// A further log is not the same drive again where it has the same settings: its seed is another.
+std::uint64_t seed_of(const Experiment& experiment, std::size_t source, std::uint64_t seed) {
+  return source == 0 ? seed : Rng(seed).stream(experiment.further_logs[source - 1]).bits();
+}
+
+OpenedLogs opened_logs(const ScenarioPlan& plan, const RunRow& row) {
+  OpenedLogs logs;
+  const double start = processor_time();
+  const PlannedRuns& planned = plan.planned_of(row);
+  try {
+    for (std::size_t i = 0; i < planned.sources.size(); ++i) {
+      const std::uint64_t seed = seed_of(*plan.experiment, i, row.seed);
+      logs.sources.push_back(open_source(*planned.sources[i], seed));
+    }
+  } catch (const std::bad_alloc&) {
+    throw;  // a failure of the machine, not of the run
+  } catch (const std::exception& error) {
+    logs.failure = one_line(error.what());
+  }
+  logs.seconds = processor_time() - start;
+  return logs;
+}
+
 class Runner {
  public:
   Runner(const ScenarioPlan& plan, const RunnerCalls& calls) : plan_(plan), calls_(calls) {}
@@ -68,28 +102,15 @@ class Runner {
   void do_group(const std::vector<int>& runs) {
     if (!calls_.may_go_on()) return;
     const Inside inside(gate_);
-    std::unique_ptr<LogSource> source;
-    std::string failure;
-    double seconds = 0.0;
-    if (plan_.experiment->needs_log) {
-      const double start = processor_time();
-      try {
-        const RunRow first = plan_.row(runs.front());
-        source = open_source(plan_.planned_of(first).source, first.seed);
-        ++recordings_;
-      } catch (const std::bad_alloc&) {
-        throw;  // a failure of the machine, not of the run
-      } catch (const std::exception& error) {
-        failure = one_line(error.what());
-      }
-      seconds = processor_time() - start;
-    }
+    const OpenedLogs logs = opened_logs(plan_, plan_.row(runs.front()));
+    recordings_ += static_cast<int>(logs.sources.size());
     // Isolated: a thread that waits here shall not begin another group, with a recording more.
     tbb::this_task_arena::isolate([&] {
       tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t i) {
         if (!calls_.may_go_on()) return;
-        RunResult result = failure.empty() ? done(runs[i], source.get()) : failed(runs[i], failure);
-        result.cost.recording_seconds = i == 0 ? seconds : 0.0;
+        RunResult result =
+            logs.failure.empty() ? done(runs[i], logs) : failed(runs[i], logs.failure);
+        result.cost.recording_seconds = i == 0 ? logs.seconds : 0.0;
         const std::scoped_lock lock(mutex_);
         calls_.done(std::move(result));
       });
@@ -97,12 +118,12 @@ class Runner {
   }
 
  private:
-  RunResult done(int run, const LogSource* source) const {
+  RunResult done(int run, const OpenedLogs& logs) const {
     const double start = processor_time();
     RunOutcome outcome;
     const RunRow row = plan_.row(run);
     try {
-      outcome = outcome_of(row, source);
+      outcome = plan_.planned_of(row).experiment.make(input_of(row, logs));
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {
@@ -111,11 +132,14 @@ class Runner {
     RunResult result{.row = row, .files = std::move(outcome.files)};
     result.row.failure = std::move(outcome.failure);
     result.row.values = wanted_values(outcome.values);
+    result.series = wanted_series(std::move(outcome.series), run);
     result.cost = {.run = run,
                    .seconds = processor_time() - start,
                    .method_seconds = outcome.method_seconds,
                    .peak_memory = peak_memory()};
-    if (source != nullptr) result.cost.recorded_seconds = source->recorded_seconds();
+    if (!logs.sources.empty()) {
+      result.cost.recorded_seconds = logs.sources.front()->recorded_seconds();
+    }
     return result;
   }
 
@@ -133,15 +157,39 @@ class Runner {
     return wanted;
   }
 
-  RunOutcome outcome_of(const RunRow& row, const LogSource* source) const {
+  std::vector<Series> wanted_series(std::vector<Series> series, int run) const {
+    std::vector<Series> wanted;
+    for (const SeriesMetric& metric : plan_.results.series_metrics) {
+      const auto found = std::find_if(series.begin(), series.end(),
+                                      [&](const Series& s) { return s.name == metric.name; });
+      if (found == series.end()) continue;
+      std::erase_if(found->points, [](const SeriesPoint& p) { return !std::isfinite(p.value); });
+      found->run = run;
+      wanted.push_back(std::move(*found));
+    }
+    return wanted;
+  }
+
+  RunInput input_of(const RunRow& row, const OpenedLogs& logs) const {
     const PlannedRuns& planned = plan_.planned_of(row);
     RunInput input;
-    if (source != nullptr) input = source->input(planned.source, row.seed);
+    for (std::size_t i = 0; i < logs.sources.size(); ++i) {
+      const std::uint64_t seed = seed_of(*plan_.experiment, i, row.seed);
+      LogInput log = logs.sources[i]->input(*planned.sources[i], seed);
+      if (i == 0) {
+        static_cast<LogInput&>(input) = std::move(log);
+      } else {
+        input.further[plan_.experiment->further_logs[i - 1]] = std::move(log);
+      }
+    }
     input.rng = Rng(row.seed).stream("experiment");
     input.shown = row.seed == plan_.scenario.seed;
     input.label = label_of(row);
     for (const Metric& metric : plan_.results.metrics) input.wanted.insert(metric.name);
-    return plan_.experiment->run(planned.settings.experiment, input);
+    for (const SeriesMetric& series : plan_.results.series_metrics) {
+      input.wanted.insert(series.name);
+    }
+    return input;
   }
 
   // Its variant and level, as far as there are others.
@@ -191,8 +239,11 @@ int do_runs(const ScenarioPlan& plan, const std::vector<int>& runs, int threads,
 }
 
 int recordings_needed(const ScenarioPlan& plan) {
-  if (!plan.experiment->needs_log) return 0;
-  return static_cast<int>(groups_of(plan, plan.runs_to_do()).size());
+  int recordings = 0;
+  for (const std::vector<int>& runs : groups_of(plan, plan.runs_to_do())) {
+    recordings += static_cast<int>(plan.planned_of(plan.row(runs.front())).sources.size());
+  }
+  return recordings;
 }
 
 }  // namespace mapbed

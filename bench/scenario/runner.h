@@ -1,12 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
-#include <string>
 #include <vector>
 
-#include "bench/experiments/experiment.h"
-#include "bench/scenario/journal.h"
+#include "bench/results/result_file.h"
+#include "bench/results/results.h"
 #include "bench/scenario/plan.h"
 
 namespace mapbed {
@@ -14,8 +12,8 @@ namespace mapbed {
 struct RunResult {
   RunRow row;
   CostRow cost;
-  std::vector<ResultFile> files;
-  std::vector<Series> series;
+  std::vector<ResultFile> files = {};
+  std::vector<Series> series = {};  // in the order of Results::series_metrics; some may be missing
 };
 
 // What the runner tells, from several threads but one at a time.

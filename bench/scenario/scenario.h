@@ -34,7 +34,9 @@ namespace mapbed {
 //   quick: {seeds: 2, levels: 2}          # what --quick makes less of; `set` for more
 //
 // Every other key is an option of the simulation (world.…, robot.…, simulation.…, driver.…,
-// recorder.…), of how a log is read (log.…) or of the experiment, nested or as a dotted path.
+// recorder.…), of how a log is read (log.…) or of the experiment, nested or as a dotted path. An
+// experiment that needs a further log, say one called mapping, has what differs in that log under
+// its name, `mapping: {path: tour, people: 0}`; all else is as in the scenario's own.
 struct Variant {
   std::string name;
   Settings settings;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bench/scenario/plan.h"
+#include "bench/sources/source_settings.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
 
@@ -40,31 +41,28 @@ std::vector<Variant> chosen_variants(const Scenario& scenario, const std::string
 
 }  // namespace
 
-SimulationPlan simulation_in(const Scenario& scenario, const std::string& variant) {
+PreparedSimulation simulation_in(const Scenario& scenario, const std::string& variant) {
   const Experiment& experiment = experiment_by_name(scenario.experiment, scenario.experiment_place);
-  if (!experiment.needs_log) {
+  if (experiment.needs == Experiment::Needs::nothing) {
     throw InputError({scenario.path}, "its experiment, " + experiment.name + ", needs no log",
                      "simulate a scenario that has a world and a robot");
   }
   const std::vector<Variant> variants = chosen_variants(scenario, variant);
-  std::string first_log;
-  PlannedRuns chosen;
-  SimulationParts parts;
+  PlannedSources sources(experiment);
+  std::shared_ptr<const SourcePlan> chosen;
   for (const Variant& of : variants) {
     for (const Level& level : levels_of(scenario.axes)) {
-      PlannedRuns planned = planned_runs(scenario, experiment, level, of, parts);
-      if (!planned.source.depends_on_seed) {
+      const auto log = planned_runs(scenario, experiment, level, of, sources).sources.front();
+      if (!log->is_simulated()) {
         throw InputError({scenario.path}, "its log is a recorded one", "'mapbed map' works on it");
       }
-      if (first_log.empty()) {
-        first_log = planned.source.complete_yaml;
-        chosen = std::move(planned);
-      } else if (planned.source.complete_yaml != first_log) {
+      if (!chosen) chosen = log;
+      if (log->complete_yaml != chosen->complete_yaml) {
         refuse_several(scenario, variants, level, of);
       }
     }
   }
-  return simulation_plan(chosen.settings.source);
+  return std::get<PreparedSimulation>(chosen->origin);
 }
 
 }  // namespace mapbed

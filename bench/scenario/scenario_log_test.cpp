@@ -46,7 +46,7 @@ TEST_F(ScenarioLog, IsTheOneOnWhichItsRunsWork) {
   const Scenario scenario = this->scenario("seed: 5\ncompare: {a: {estimator: odometry}}\n");
   const SensorLog alone = run_simulation(simulation_in(scenario), 5).log;
   const ScenarioPlan plan = make_plan(scenario);
-  const SourcePlan& source = plan.planned.front().source;
+  const SourcePlan& source = *plan.planned.front().sources.front();
   const SensorLog of_runs = open_source(source, 5)->input(source, 5).log;
   EXPECT_FALSE(ranges_of(alone).empty());
   EXPECT_EQ(ranges_of(alone), ranges_of(of_runs));
@@ -56,7 +56,7 @@ TEST_F(ScenarioLog, IsOneWhereOnlyTheMethodsDiffer) {
   const Scenario scenario = this->scenario(
       "sweep: {path_length: [5 m, 10 m]}\n"
       "compare: {a: {estimator: odometry}, b: {estimator: scan_matching}}\n");
-  EXPECT_EQ(simulation_in(scenario).world, "office");
+  EXPECT_EQ(simulation_in(scenario).world->name, "office");
 }
 
 TEST_F(ScenarioLog, IsChosenByVariantAndLevelWhereThereAreSeveral) {
@@ -71,7 +71,7 @@ TEST_F(ScenarioLog, IsChosenByVariantAndLevelWhereThereAreSeveral) {
   EXPECT_INPUT_ERROR(simulation_in(scenario(yaml, level)),
                      "its variants have different logs; choose one, as in --variant 'b'");
   EXPECT_INPUT_ERROR(simulation_in(scenario(yaml, level), "c"), "'c' is not compared");
-  EXPECT_EQ(simulation_in(scenario(yaml, level), "b").path, "tour");
+  EXPECT_EQ(simulation_in(scenario(yaml, level), "b").path.name, "tour");
 }
 
 TEST_F(ScenarioLog, MistakesAreFoundAsBeforeARun) {

@@ -1,23 +1,31 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <variant>
 
-#include "bench/experiments/experiment.h"
+#include "bench/sources/run_input.h"
 #include "bench/sources/simulate.h"
 #include "core/config/settings.h"
+#include "core/log/log_description.h"
+
+// Where the log of a run comes from: it is planned once, from the settings; opened, so recorded or
+// read, once for all runs that share it; and gives each of these what it works on, with noise of
+// its own.
 
 namespace mapbed {
 
-// Where the log of a run comes from. Settings that are about that (world, robot, path, people, log
-// and what stands below them, simulation.…, driver.…, recorder.…), and all others.
-struct DividedSettings {
-  Settings source;
-  Settings experiment;
+// A log in a file.
+struct RecordedPlan {
+  std::string path;                           // of the log itself; empty: as described
+  std::optional<LogDescription> description;  // where the log has a name
+  LogOptions options;
 };
-DividedSettings divided(const Settings& settings);
 
-// What is known before anything is recorded.
+// Settings of a source, bound: robot, sensors, world and description of the log were read when this
+// was made, and are not read again.
 struct SourcePlan {
   std::string complete_yaml;  // all options, for the record
   // Two runs with the same key and seed share a recording.
@@ -26,25 +34,31 @@ struct SourcePlan {
   // Why there is nothing to work on: "the log 'intel' is not here (intel/intel.clf.gz)". Not an
   // error, for recorded logs are no part of the program. Empty: it is here.
   std::string missing = {};
-  std::shared_ptr<const PreparedSimulation> simulation = {};  // none: a recorded log
-  Settings settings = {};                                     // of the recorded log
+  std::variant<PreparedSimulation, RecordedPlan> origin = {};
+
+  bool is_simulated() const { return std::holds_alternative<PreparedSimulation>(origin); }
 };
+
 // Parts that were read or built for one plan serve the next ones too. Throws InputError.
 SourcePlan plan_source(const Settings& settings, SimulationParts& parts);
-SourcePlan plan_source(const Settings& settings);
 
-// A log that several runs share: it is recorded, or read, once. Noise is drawn for each run.
+// Whether the true path is known; a recorded log is read to see.
+bool has_truth(const SourcePlan& plan);
+
+// A log in memory.
 class LogSource {
  public:
   virtual ~LogSource() = default;
   virtual double recorded_seconds() const = 0;
-  // Noise as `plan` has it, drawn by `seed`. For several threads at a time.
-  virtual RunInput input(const SourcePlan& plan, std::uint64_t seed) const = 0;
+  // With the noise of `plan`, which has the key of the one that was opened, drawn by `seed`. For
+  // several threads at a time; what it gives refers to this source.
+  virtual LogInput input(const SourcePlan& plan, std::uint64_t seed) const = 0;
 };
+
+// Records or reads it. The plan must outlive the source.
+std::unique_ptr<LogSource> open_source(const SourcePlan& plan, std::uint64_t seed);
 
 // Of settings without 'log'. Throws InputError.
 SimulationPlan simulation_plan(const Settings& settings);
-
-std::unique_ptr<LogSource> open_source(const SourcePlan& plan, std::uint64_t seed);
 
 }  // namespace mapbed

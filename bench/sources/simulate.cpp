@@ -152,7 +152,11 @@ Recording record(const PreparedSimulation& prepared, std::uint64_t seed) {
 }
 
 SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed) {
-  SimulationResult result{.simulation = prepare_simulation(plan), .seed = seed};
+  return run_simulation(prepare_simulation(plan), seed);
+}
+
+SimulationResult run_simulation(PreparedSimulation simulation, std::uint64_t seed) {
+  SimulationResult result{.simulation = std::move(simulation), .seed = seed};
   result.recording = record(result.simulation, seed);
   result.log = with_noise(result.recording, result.simulation.robot, Rng(seed));
   return result;

@@ -67,6 +67,7 @@ struct SimulationResult {
 };
 
 // All of the above, and noise.
+SimulationResult run_simulation(PreparedSimulation simulation, std::uint64_t seed);
 SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed);
 
 // Beside LOG = name.log[.gz]: name.truth.gz, name.relations, name.tum (true poses), name_map.pgm

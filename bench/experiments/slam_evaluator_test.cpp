@@ -1,4 +1,4 @@
-#include "bench/experiments/slam_judge.h"
+#include "bench/experiments/slam_evaluator.h"
 
 #include <cmath>
 #include <map>
@@ -13,9 +13,9 @@ namespace {
 constexpr int kScans = 11;
 
 // A drive of 5 m through a room of 8.1 m x 4.1 m, whose walls run along the middle of cells.
-class SlamJudgeOf : public ::testing::Test {
+class SlamEvaluatorOf : public ::testing::Test {
  protected:
-  SlamJudgeOf() : true_map_{.resolution = 0.1, .width = 90, .height = 50} {
+  SlamEvaluatorOf() : true_map_{.resolution = 0.1, .width = 90, .height = 50} {
     true_map_.origin = {-4.5, -2.5};
     for (int y = 0; y < true_map_.height; ++y) {
       for (int x = 0; x < true_map_.width; ++x) {
@@ -47,18 +47,18 @@ class SlamJudgeOf : public ::testing::Test {
       estimate_.trajectory[i].pose.y += dy;
   }
   std::map<std::string, double> values() {
-    SlamJudge judge(options_, input_, estimate_);
-    const auto pairs = judge.values();
+    SlamEvaluator evaluator(options_, input_, estimate_);
+    const auto pairs = evaluator.values();
     return {pairs.begin(), pairs.end()};
   }
 
   TrueMap true_map_;
-  JudgeOptions options_;
+  EvaluationOptions options_;
   RunInput input_;
   Estimate estimate_;
 };
 
-TEST_F(SlamJudgeOf, TheTruePathIsASuccess) {
+TEST_F(SlamEvaluatorOf, TheTruePathIsASuccess) {
   know_the_map();
   auto value = values();
   EXPECT_DOUBLE_EQ(value["largest_error"], 0.0);
@@ -72,7 +72,7 @@ TEST_F(SlamJudgeOf, TheTruePathIsASuccess) {
   EXPECT_DOUBLE_EQ(value["failures"], 0.0);
 }
 
-TEST_F(SlamJudgeOf, AWallDrawnTwiceIsNoSuccessHoweverSmallTheError) {
+TEST_F(SlamEvaluatorOf, AWallDrawnTwiceIsNoSuccessHoweverSmallTheError) {
   know_the_map();
   shift_the_end(0.5);
   auto value = values();
@@ -85,14 +85,14 @@ TEST_F(SlamJudgeOf, AWallDrawnTwiceIsNoSuccessHoweverSmallTheError) {
   EXPECT_DOUBLE_EQ(values()["success"], 1.0);
 }
 
-TEST_F(SlamJudgeOf, APathFarOffFailsInWords) {
+TEST_F(SlamEvaluatorOf, APathFarOffFailsInWords) {
   shift_the_end(2.5);
   EXPECT_DOUBLE_EQ(values()["success"], 0.0);  // whatever the walls, which nobody knows here
   EXPECT_DOUBLE_EQ(values()["failures"], 1.0);
-  EXPECT_EQ(SlamJudge(options_, input_, estimate_).failure(), "largest position error 2.50 m");
+  EXPECT_EQ(SlamEvaluator(options_, input_, estimate_).failure(), "largest position error 2.50 m");
 }
 
-TEST_F(SlamJudgeOf, ALogWithoutTruthIsJudgedByItselfAlone) {
+TEST_F(SlamEvaluatorOf, ALogWithoutTruthIsEvaluatedByItselfAlone) {
   input_.truth.clear();
   for (const auto& [name, value] : values()) {
     const bool has_value =
@@ -100,11 +100,11 @@ TEST_F(SlamJudgeOf, ALogWithoutTruthIsJudgedByItselfAlone) {
     EXPECT_EQ(std::isnan(value), !has_value) << name;
   }
   EXPECT_NEAR(values()["path_length"], 5.0, 1e-9);
-  EXPECT_EQ(SlamJudge(options_, input_, estimate_).failure(), "");
+  EXPECT_EQ(SlamEvaluator(options_, input_, estimate_).failure(), "");
 }
 
 // Odometry says that the robot stood still until 0.9 s and then drove the half metre.
-TEST_F(SlamJudgeOf, StampsOfRelationsAreReachedByOdometryOrLinearly) {
+TEST_F(SlamEvaluatorOf, StampsOfRelationsAreReachedByOdometryOrLinearly) {
   MeasuredRelations measured;
   measured.relations = {{0.0, 0.5, Pose2{}}, {0.0, 1.0, Pose2{0.5, 0.0, 0.0}}};
   measured.odometry = {{0.0, Pose2{}}, {0.9, Pose2{}}, {1.0, Pose2{0.5, 0.0, 0.0}}};
@@ -116,7 +116,7 @@ TEST_F(SlamJudgeOf, StampsOfRelationsAreReachedByOdometryOrLinearly) {
   EXPECT_NEAR(values()["relations_translation_spread"], 0.125, 1e-9);  // the same
 }
 
-TEST_F(SlamJudgeOf, OnlyWhatIsWantedIsWorkedOut) {
+TEST_F(SlamEvaluatorOf, OnlyWhatIsWantedIsWorkedOut) {
   input_.wanted = {"largest_error"};
   input_.true_map = [](double) -> const TrueMap& { throw std::logic_error("not wanted"); };
   EXPECT_EQ(values().size(), 1u);

@@ -6,19 +6,20 @@
 
 #include "algorithms/estimator.h"
 #include "algorithms/grid/map_builder.h"
-#include "bench/experiments/experiment.h"
 #include "bench/metrics/doubled_walls.h"
 #include "bench/metrics/map_error.h"
 #include "bench/metrics/relations.h"
 #include "bench/metrics/trajectory_error.h"
+#include "bench/results/results.h"
+#include "bench/sources/run_input.h"
 
 namespace mapbed {
 
 enum class RelationStamps : int { odometry, linear };
 
-struct JudgeOptions {
+struct EvaluationOptions {
   double success_distance = 1.0;        // [m]
-  double success_doubled_walls = 0.01;  // share
+  double success_doubled_walls = 0.01;  // fraction
   double failure_distance = 2.0;        // [m]
   double path_length = 5.0;             // [m]
   RelationStamps relation_stamps = RelationStamps::odometry;
@@ -27,7 +28,7 @@ struct JudgeOptions {
 };
 
 template <class Visitor>
-void visit_fields(JudgeOptions& o, Visitor&& visit) {
+void visit_fields(EvaluationOptions& o, Visitor&& visit) {
   visit("success_distance", o.success_distance, Unit::meter, kPositive,
         "a success has a smaller largest_error");
   visit("success_doubled_walls", o.success_doubled_walls, kShare,
@@ -45,10 +46,10 @@ void visit_fields(JudgeOptions& o, Visitor&& visit) {
 
 // One run of SLAM against what is known of the way and the world. Whatever a metric needs is worked
 // out when the first one asks; it is NaN where nobody knows the truth that it needs.
-class SlamJudge {
+class SlamEvaluator {
  public:
-  // All of these must outlive the judge.
-  SlamJudge(const JudgeOptions& options, const RunInput& input, const Estimate& estimate);
+  // All of these must outlive the evaluator.
+  SlamEvaluator(const EvaluationOptions& options, const RunInput& input, const Estimate& estimate);
 
   const Trajectory& world_from_robot() const { return world_from_robot_; }  // aligned, the estimate
   const OccupancyMap& map();                                                // of these poses
@@ -63,8 +64,8 @@ class SlamJudge {
   const MapErrors& map_errors();
   double spurious_cells();
   const MapConfusion& confusion();
-  double doubled_walls();         // share
-  double excess_doubled_walls();  // above the share in the map of the same scans at true poses
+  double doubled_walls();         // fraction
+  double excess_doubled_walls();  // above the fraction in the map of the same scans at true poses
   double success();               // 0 or 1
 
   // The values of the wanted metrics of the table below.
@@ -75,7 +76,7 @@ class SlamJudge {
   bool has_true_map() const { return !pairs_.empty() && input_.true_map; }
   const TrueMap& true_map() const { return input_.true_map(options_.map.resolution); }
 
-  const JudgeOptions& options_;
+  const EvaluationOptions& options_;
   const RunInput& input_;
   const Estimate& estimate_;
   std::vector<PosePair> pairs_;
@@ -90,7 +91,7 @@ class SlamJudge {
   std::optional<double> excess_doubled_walls_;
 };
 
-// Name, unit and meaning of all that a SlamJudge can tell.
+// Name, unit and meaning of all that a SlamEvaluator can tell.
 std::vector<Metric> slam_metrics();
 
 }  // namespace mapbed

@@ -1,0 +1,12 @@
+#include "bench/sources/run_input.h"
+
+namespace mapbed {
+
+RunInput shortened(RunInput input, double longest) {
+  if (longest <= 0.0 || input.log.empty()) return input;
+  const double end = time_of(input.log.front()) + longest;
+  std::erase_if(input.log, [end](const Measurement& m) { return time_of(m) > end; });
+  return input;
+}
+
+}  // namespace mapbed

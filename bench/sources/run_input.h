@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+
+#include "bench/metrics/relations.h"
+#include "core/geometry/trajectory.h"
+#include "core/log/sensor_log.h"
+#include "core/random.h"
+#include "worlds/geometry/raster.h"
+
+namespace mapbed {
+
+struct Recording;
+struct World;
+
+// What a log offers. Only metrics may look beyond the measurements.
+struct LogInput {
+  SensorLog log;                         // empty where the experiment needs none
+  Trajectory truth;                      // world_from_robot, by time; empty: nobody knows
+  const Recording* recording = nullptr;  // null for a recorded log
+  const World* world = nullptr;          // the same
+  // The world's true map with cells of this size [m]; none for a recorded log.
+  std::function<const TrueMap&(double resolution)> true_map = {};
+  // How the robot truly moved between pairs of stamps; none where nobody measured that.
+  std::function<const MeasuredRelations&()> relations = {};
+};
+
+// What a run works on: the scenario's own log and all else that the run is given.
+struct RunInput : LogInput {
+  std::map<std::string, LogInput> further = {};  // Experiment::further_logs, by their names
+  Rng rng{0};
+  std::set<std::string> wanted = {};  // metrics and series; others need not be worked out
+  bool shown = false;                 // pictures of this run are wanted too
+  // Which run it is, for them: "raw, people = 5"; empty: seeds alone set the runs apart.
+  std::string label = {};
+};
+
+// Without what comes later than `longest` [s] after the log's start; 0: all of it.
+RunInput shortened(RunInput input, double longest);
+
+}  // namespace mapbed
