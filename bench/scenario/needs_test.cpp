@@ -79,7 +79,8 @@ constexpr const char* kDrive =
     "world: office\nrobot: pioneer\npath: ring\npeople: 0\nrecorder.longest: 3 s\n";
 
 TEST_F(Needs, WhatALogCannotGiveIsRefusedBeforeARun) {
-  const std::string log = "log: " + log_without_truth() + "\nmetrics: [length]\n";
+  const std::string log =
+      "log: " + log_without_truth() + "\nlog.field_of_view: 180 deg\nmetrics: [length]\n";
   EXPECT_EQ(row_of(plan(log, experiment(Experiment::Needs::log))).failure, "");
   EXPECT_INPUT_ERROR(plan(log, experiment(Experiment::Needs::truth)),
                      "x.yaml:1: the experiment test needs a log with the true path, and this "
@@ -106,7 +107,7 @@ TEST_F(Needs, AFurtherLogHasWhatDiffersUnderItsName) {
   EXPECT_EQ(recordings_needed(plan), 2);
   const RunRow row = row_of(plan);
   EXPECT_GT(row.values[1], 1.5 * row.values[0]);  // twice as long, from standing
-  EXPECT_THAT(plan.config_yaml, ::testing::HasSubstr("    mapping:\n"));
+  EXPECT_THAT(plan.results.config_yaml, ::testing::HasSubstr("    mapping:\n"));
 }
 
 TEST_F(Needs, AFurtherLogWithTheSameSettingsIsAnotherDrive) {
