@@ -82,14 +82,8 @@ Setup setup_of(const Settings& settings) {
 }
 
 std::string complete_yaml(Setup& setup) {
-  std::string yaml = to_yaml(options_of(setup.options)) + setup.options.estimator + ":\n";
-  const std::string& inner = setup.method.complete_yaml;
-  for (std::size_t start = 0; start < inner.size();) {
-    const std::size_t end = inner.find('\n', start) + 1;
-    yaml += "  " + inner.substr(start, end - start);
-    start = end;
-  }
-  return yaml;
+  return to_yaml(options_of(setup.options)) + setup.options.estimator + ":\n" +
+         indented(setup.method.complete_yaml, 2);
 }
 
 ResultFile picture_file(const RunInput& input, SlamEvaluator& evaluator) {
