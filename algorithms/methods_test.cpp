@@ -142,14 +142,14 @@ TEST_P(MethodWithErrorModels, TakesLearnedOnesByName) {
 
 TEST_P(MethodWithErrorModels, TheLaterOfModelAndParameterWins) {
   const Settings model{parse_setting("odometry_errors=pioneer_odometry")};
-  const Settings parameter{parse_setting("odometry_errors.turn_bias=0.25")};
+  const Settings parameter{parse_setting("odometry_errors.rotation_bias=0.25")};
   const auto complete = [&](const Settings& first, const Settings& second) {
     Settings both = first;
     both.insert(both.end(), second.begin(), second.end());
     return method_by_name(GetParam()).configure(both).complete_yaml;
   };
-  EXPECT_THAT(complete(model, parameter), HasSubstr("turn_bias: 0.25"));
-  EXPECT_THAT(complete(parameter, model), Not(HasSubstr("turn_bias: 0.25")));
+  EXPECT_THAT(complete(model, parameter), HasSubstr("rotation_bias: 0.25"));
+  EXPECT_THAT(complete(parameter, model), Not(HasSubstr("rotation_bias: 0.25")));
 }
 
 TEST_P(MethodWithErrorModels, AMisspeltModelIsToldWithItsPlace) {

@@ -27,7 +27,7 @@ std::vector<std::uint8_t> widened(const std::vector<std::uint8_t>& fine, int wid
 
 BoundPyramid make_bound_pyramid(const LikelihoodField& field, double window) {
   BoundPyramid pyramid;
-  pyramid.step = -double{field.floor()} / 255.0;
+  pyramid.step = -double{field.outlier_log()} / 255.0;
   pyramid.max_shifts = static_cast<int>(std::ceil(window / field.resolution() - 1e-9));
   int level_count = 1;
   while (level_count < kMaxLevels &&
@@ -52,7 +52,7 @@ BoundPyramid make_bound_pyramid(const LikelihoodField& field, double window) {
     std::uint8_t* row =
         cells.data() + std::ptrdiff_t{y - pyramid.min_y} * pyramid.width - pyramid.min_x;
     for (int x = box.min.x; x <= box.max.x; ++x) {
-      const double above = double{field.highest_in({x, y})} - double{field.floor()};
+      const double above = double{field.highest_in({x, y})} - double{field.outlier_log()};
       row[x] = static_cast<std::uint8_t>(std::min(255.0, std::ceil(above / pyramid.step - 1e-9)));
     }
   });

@@ -12,7 +12,8 @@
 namespace mapbed {
 namespace {
 
-constexpr int kProfileSize = 1024;   // the profile is smooth in d^2, so steps of d^2 are even
+constexpr double kReach = 3.0;  // [sigma] of the neighbourhood that a mapped point changes
+constexpr int kMixtureSteps = 1024;
 constexpr int kDirectoryMargin = 4;  // [tiles] grown beyond what is needed
 
 }  // namespace
@@ -20,20 +21,10 @@ constexpr int kDirectoryMargin = 4;  // [tiles] grown beyond what is needed
 LikelihoodField::LikelihoodField(const LikelihoodFieldOptions& options)
     : resolution_(options.resolution),
       sigma_(options.sigma),
-      floor_(static_cast<float>(std::log1p(-options.hit_share))) {
-  CHECK(options.resolution > 0.0 && options.sigma > 0.0);
-  CHECK(options.hit_share > 0.0 && options.hit_share < 1.0);
-  const double sigma = options.sigma / options.resolution;  // [cells]
-  const double reach = 3.0 * sigma;
-  radius_ = static_cast<int>(std::ceil(reach));
-  profile_scale_ = static_cast<float>(kProfileSize / (reach * reach));
-  profile_.resize(kProfileSize + 1);
-  for (int i = 0; i <= kProfileSize; ++i) {
-    const double squared = i * reach * reach / kProfileSize;
-    const double gauss = std::exp(-squared / (2.0 * sigma * sigma));
-    profile_[static_cast<std::size_t>(i)] =
-        static_cast<float>(std::log(options.hit_share * gauss + 1.0 - options.hit_share));
-  }
+      mixture_(options.sigma / options.resolution, options.inlier_ratio, kReach, kMixtureSteps),
+      outlier_log_(static_cast<float>(mixture_.outlier_log())),
+      radius_(static_cast<int>(std::ceil(kReach * (options.sigma / options.resolution)))) {
+  CHECK(options.resolution > 0.0);
 }
 
 void LikelihoodField::clear() {
@@ -188,15 +179,6 @@ void LikelihoodField::release_tile(int tile_x, int tile_y) {
   slot = -1;
 }
 
-inline float LikelihoodField::log_by(float squared_cells) const {
-  const float at = squared_cells * profile_scale_;
-  if (!(at < static_cast<float>(kProfileSize))) return floor_;
-  const int index = static_cast<int>(at);
-  const float low = profile_[static_cast<std::size_t>(index)];
-  const float high = profile_[static_cast<std::size_t>(index) + 1];
-  return low + (at - static_cast<float>(index)) * (high - low);
-}
-
 inline const LikelihoodField::Cell* LikelihoodField::cell_at(int x, int y) const {
   const std::int32_t slot =
       directory_[static_cast<std::size_t>((y >> kTileBits) * width_ + (x >> kTileBits))];
@@ -206,19 +188,19 @@ inline const LikelihoodField::Cell* LikelihoodField::cell_at(int x, int y) const
                                           (x & (kTileSide - 1)))];
 }
 
-// Negative and far coordinates, NaN too, read as the floor.
+// Negative and far coordinates, NaN too, read as far from everything.
 inline float LikelihoodField::log_in_directory(float x, float y) const {
   if (!(x >= 0.0F && y >= 0.0F && x < static_cast<float>(width_ * kTileSide) &&
         y < static_cast<float>(height_ * kTileSide))) {
-    return floor_;
+    return outlier_log_;
   }
   const int ix = static_cast<int>(x), iy = static_cast<int>(y);
   const Cell* cell = cell_at(ix, iy);
-  if (cell == nullptr) return floor_;
+  if (cell == nullptr) return outlier_log_;
   const float dx = x - static_cast<float>(ix) - 0.5F - cell->x;
   const float dy = y - static_cast<float>(iy) - 0.5F - cell->y;
   const float along = dx * cell->along_x + dy * cell->along_y;
-  return log_by(dx * dx + dy * dy - along * along);
+  return mixture_.log_at(dx * dx + dy * dy - along * along);
 }
 
 double LikelihoodField::log_at(const Eigen::Vector2d& point) const {
@@ -228,7 +210,7 @@ double LikelihoodField::log_at(const Eigen::Vector2d& point) const {
 }
 
 // With q = d^2 in cells, ln(w exp(-q / (2 s^2)) + 1 - w) has the derivative -r / (2 s^2), r the
-// share of the Gaussian in the mixture; q's second derivative alone counts for the curvature
+// probability of the Gaussian in the mixture; q's second derivative alone counts for the curvature
 // (Gauss-Newton).
 LikelihoodField::Shape LikelihoodField::shape_at(const Eigen::Vector2d& point) const {
   const double x = point.x() / resolution_ - double{kTileSide} * min_x_;
@@ -241,17 +223,16 @@ LikelihoodField::Shape LikelihoodField::shape_at(const Eigen::Vector2d& point) c
   Eigen::Matrix2d across = Eigen::Matrix2d::Identity();
   const Eigen::Vector2d along(double{cell->along_x}, double{cell->along_y});
   if (!along.isZero()) across -= along * along.transpose() / along.squaredNorm();
-  const double value = double{log_by(static_cast<float>(off.dot(across * off)))};
-  const double responsibility = 1.0 - std::exp(double{floor_} - value);
-  const double weight = responsibility / (sigma_ * sigma_);
+  const double value = double{mixture_.log_at(static_cast<float>(off.dot(across * off)))};
+  const double weight = mixture_.inlier_probability(value) / (sigma_ * sigma_);
   return {.slope = -weight * resolution_ * across * off, .curvature = weight * across};
 }
 
 float LikelihoodField::highest_in(CellIndex index) const {
   const int x = index.x - min_x_ * kTileSide, y = index.y - min_y_ * kTileSide;
-  if (x < 0 || y < 0 || x >= width_ * kTileSide || y >= height_ * kTileSide) return floor_;
+  if (x < 0 || y < 0 || x >= width_ * kTileSide || y >= height_ * kTileSide) return outlier_log_;
   const Cell* cell = cell_at(x, y);
-  if (cell == nullptr) return floor_;
+  if (cell == nullptr) return outlier_log_;
   // No nearer than the line, and where there is none no nearer than the mapped point.
   constexpr float kLength = 0.99499F;  // of a line's direction, rounded up
   static_assert(double{kLength} * double{kLength} >= 1.0 - kAlong * kAlong);
@@ -259,11 +240,11 @@ float LikelihoodField::highest_in(CellIndex index) const {
     const float across = std::abs(cell->x * cell->along_y - cell->y * cell->along_x);
     const float reach = 0.5F * (std::abs(cell->along_x) + std::abs(cell->along_y));
     const float least = std::max(0.0F, across - reach) / kLength;
-    return log_by(least * least);
+    return mixture_.log_at(least * least);
   }
   const float dx = std::max(0.0F, std::abs(cell->x) - 0.5F);
   const float dy = std::max(0.0F, std::abs(cell->y) - 0.5F);
-  return log_by(dx * dx + dy * dy);
+  return mixture_.log_at(dx * dx + dy * dy);
 }
 
 CellBox LikelihoodField::box() const {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/field/hit_mixture.h"
 #include "algorithms/field/local_map.h"
 #include "algorithms/grid/tiled_grid.h"
 #include "core/config/option.h"
@@ -16,15 +17,15 @@ namespace mapbed {
 struct LikelihoodFieldOptions {
   double resolution = 0.05;  // [m] side of a cell
   double sigma = 0.06;  // [m] of an end point about the mapped surface: noise, small pose errors
-  double hit_share = 0.85;  // in (0, 1): beams that the map explains; the rest may end anywhere
+  double inlier_ratio = 0.85;  // in (0, 1): beams that the map explains; the rest may end anywhere
 };
 
 template <class Visitor>
 void visit_fields(LikelihoodFieldOptions& o, Visitor&& visit) {
   visit("resolution", o.resolution, Unit::meter, kPositive, "side of a cell");
-  visit("sigma", o.sigma, Unit::meter, kPositive, "spread of end points about the mapped surface");
-  visit("hit_share", o.hit_share, between(0.01, 0.999),
-        "share of beams that the map explains; the rest may end anywhere");
+  visit("sigma", o.sigma, Unit::meter, kPositive, "sigma of end points about the mapped surface");
+  visit("inlier_ratio", o.inlier_ratio, between(0.01, 0.999),
+        "fraction of beams that the map explains; the rest may end anywhere");
 }
 
 // Points of a scan in the robot frame, in cells of a field: what the inner loops of the matchers
@@ -36,10 +37,7 @@ struct FieldPoints {
 };
 
 // End-point model, section 2.2.4, smoothed as in section 2.3.2: the log-likelihood of a beam that
-// ends at a point, by its distance d to the nearest mapped surface,
-//
-//   log_at = ln(w exp(-d^2 / (2 sigma^2)) + 1 - w),    from ln(1 - w) far away up to 0 on the
-//   surface.
+// ends at a point, by its distance to the nearest mapped surface (HitMixture).
 //
 // Each cell within 3 sigma of the surface knows the mapped point nearest to its centre and the line
 // through it, and a point in the cell is measured against that line: far finer than the cells, and
@@ -59,7 +57,7 @@ class LikelihoodField {
   void update(const SurfaceMeans& means, const std::vector<CellIndex>& changed);
 
   double log_at(const Eigen::Vector2d& point) const;  // [m] in the map frame
-  float floor() const { return floor_; }              // log_at far from everything
+  float outlier_log() const { return outlier_log_; }  // log_at far from everything
   double resolution() const { return resolution_; }
 
   // Sum of log_at over the points, seen from a pose.
@@ -92,8 +90,7 @@ class LikelihoodField {
   static constexpr float kFar = 1e6F;
   static constexpr double kAlong = 0.1;
 
-  const Cell* cell_at(int x, int y) const;  // from the directory's corner; null: no tile
-  float log_by(float squared_cells) const;
+  const Cell* cell_at(int x, int y) const;         // from the directory's corner; null: no tile
   float log_in_directory(float x, float y) const;  // [cells] from the directory's corner
   CellIndex middle_of(const Eigen::Vector2d& point) const;
   std::int32_t slot_for_writing(int tile_x, int tile_y);  // of a tile; an empty one if it is new
@@ -104,11 +101,10 @@ class LikelihoodField {
   void widen_directory(int tile_x, int tile_y);
 
   double resolution_;
-  double sigma_;  // [m]
-  float floor_;
+  double sigma_;        // [m]
+  HitMixture mixture_;  // of distances in cells
+  float outlier_log_;
   int radius_;                           // [cells] of the neighbourhood that one end point changes
-  float profile_scale_;                  // squared distance [cells^2] -> index into profile_
-  std::vector<float> profile_;           // log value by squared distance, linear in between
   int min_x_ = 0, min_y_ = 0;            // of the directory, in tiles
   int width_ = 0, height_ = 0;           // of the directory, in tiles
   std::vector<std::int32_t> directory_;  // tile number, -1 where there is none

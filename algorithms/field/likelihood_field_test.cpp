@@ -11,7 +11,7 @@
 namespace mapbed {
 namespace {
 
-const LikelihoodFieldOptions kOptions{.resolution = 0.05, .sigma = 0.06, .hit_share = 0.85};
+const LikelihoodFieldOptions kOptions{.resolution = 0.05, .sigma = 0.06, .inlier_ratio = 0.85};
 
 double plain_log(double distance) {
   return std::log(0.85 * std::exp(-distance * distance / (2 * 0.06 * 0.06)) + 0.15);
@@ -69,12 +69,12 @@ TEST(LikelihoodField, NoPointInACellScoresAboveTheCellsHighest) {
 
 TEST(LikelihoodField, IsTheFloorFarAwayAndAfterClearing) {
   LikelihoodField field(kOptions);
-  EXPECT_FLOAT_EQ(static_cast<float>(field.log_at({0, 0})), field.floor());
+  EXPECT_FLOAT_EQ(static_cast<float>(field.log_at({0, 0})), field.outlier_log());
   field.add(SurfacePoint{{1.0, 1.0}});
-  EXPECT_FLOAT_EQ(static_cast<float>(field.log_at({50.0, -70.0})), field.floor());
+  EXPECT_FLOAT_EQ(static_cast<float>(field.log_at({50.0, -70.0})), field.outlier_log());
   EXPECT_GT(field.log_at({1.0, 1.0}), -0.2);
   field.clear();
-  EXPECT_FLOAT_EQ(static_cast<float>(field.log_at({1.0, 1.0})), field.floor());
+  EXPECT_FLOAT_EQ(static_cast<float>(field.log_at({1.0, 1.0})), field.outlier_log());
 }
 
 TEST(LikelihoodField, SumsWhatItSaysOfSinglePoints) {
@@ -111,7 +111,7 @@ TEST(LikelihoodField, BroughtUpToDateIsTheFieldMadeAnew) {
   for (double y = -3.0; y < 1.0; y += 0.037) {
     for (double x = -1.5; x < 6.0; x += 0.037) {
       ASSERT_NEAR(updated.log_at({x, y}), anew.log_at({x, y}), 1e-5) << x << ", " << y;
-      if (anew.log_at({x, y}) > anew.floor()) ++explained;
+      if (anew.log_at({x, y}) > anew.outlier_log()) ++explained;
     }
   }
   EXPECT_GT(explained, 1000);

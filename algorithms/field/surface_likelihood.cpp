@@ -18,7 +18,7 @@ constexpr std::size_t kManyHits = 40;  // of fewer by all
 constexpr double kConverged = 2e-3;    // [m], [rad] the step after that is far smaller still
 constexpr float kAlong = 0.1F;  // of a distance along a mapped line that counts, as in the field
 constexpr float kMinAgreement = 0.5F;  // of the directions that make a line, as in tangent_of
-constexpr int kLevels = 512;
+constexpr int kMixtureSteps = 512;
 constexpr double kReach = 4.0;  // [sigma] beyond, the Gaussian counts for nothing
 
 // The projection on the line of a mapped point, (I + [x y; y -x]) / 2 with (x, y) = (cos 2a, sin
@@ -68,27 +68,7 @@ ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions
 }
 
 SurfaceLikelihood::SurfaceLikelihood(const SurfaceLikelihoodOptions& options)
-    : options_(options), floor_(std::log1p(-options.hit_share)), levels_(kLevels + 1) {
-  const double reach = kReach * options.sigma;
-  levels_per_square_ = static_cast<float>(kLevels / (reach * reach));
-  for (int i = 0; i <= kLevels; ++i) {
-    const double squared_sigmas = kReach * kReach * i / kLevels;
-    const double gauss = options.hit_share * std::exp(-0.5 * squared_sigmas);
-    const double mixture = gauss + 1.0 - options.hit_share;
-    levels_[static_cast<std::size_t>(i)] = {static_cast<float>(std::log(mixture)),
-                                            static_cast<float>(gauss / mixture)};
-  }
-}
-
-inline SurfaceLikelihood::Level SurfaceLikelihood::level_at(float squared_distance) const {
-  const float at = squared_distance * levels_per_square_;
-  if (!(at < static_cast<float>(kLevels))) return {static_cast<float>(floor_), 0.0F};
-  const int index = static_cast<int>(at);
-  const float rest = at - static_cast<float>(index);
-  const Level& low = levels_[static_cast<std::size_t>(index)];
-  const Level& high = levels_[static_cast<std::size_t>(index) + 1];
-  return {low.log + rest * (high.log - low.log), low.share + rest * (high.share - low.share)};
-}
+    : options_(options), mixture_(options.sigma, options.inlier_ratio, kReach, kMixtureSteps) {}
 
 double SurfaceLikelihood::sum_of_free(const std::vector<Eigen::Vector2d>& free,
                                       const SurfaceMap& map, const Pose2& map_from_robot) const {
@@ -99,7 +79,7 @@ double SurfaceLikelihood::sum_of_free(const std::vector<Eigen::Vector2d>& free,
     const Eigen::Vector2d at = map_from_robot * point;
     const SurfaceMap::Nearest nearest = reader.nearest(at.x(), at.y());
     const float squared = nearest.off_x * nearest.off_x + nearest.off_y * nearest.off_y;
-    if (nearest.found && squared < reach) sum += floor_;
+    if (nearest.found && squared < reach) sum += mixture_.outlier_log();
   }
   return sum;
 }
@@ -112,8 +92,8 @@ double SurfaceLikelihood::sum_of_hits(const std::vector<Eigen::Vector2d>& hits,
   for (const Eigen::Vector2d& hit : hits) {
     const SurfaceMap::Nearest nearest = reader.nearest(
         map_from_robot.x + c * hit.x() - s * hit.y(), map_from_robot.y + s * hit.x() + c * hit.y());
-    sum += nearest.found ? double{level_at(squared_distance(nearest, Projection(nearest))).log}
-                         : floor_;
+    sum += nearest.found ? double{mixture_.log_at(squared_distance(nearest, Projection(nearest)))}
+                         : mixture_.outlier_log();
   }
   return sum;
 }
@@ -124,11 +104,11 @@ double SurfaceLikelihood::log_likelihood(const ScanForWeighting& scan, const Sur
                                  sum_of_free(scan.free, map, map_from_robot));
 }
 
-double SurfaceLikelihood::explained_share(const ScanForWeighting& scan, const SurfaceMap& map,
-                                          const Pose2& map_from_robot) const {
+double SurfaceLikelihood::inlier_ratio(const ScanForWeighting& scan, const SurfaceMap& map,
+                                       const Pose2& map_from_robot) const {
   if (scan.hits.empty()) return 0.0;
-  const double worst = static_cast<double>(scan.hits.size()) * floor_;
-  return 1.0 - sum_of_hits(scan.hits, map, map_from_robot) / worst;
+  return mapbed::inlier_ratio(sum_of_hits(scan.hits, map, map_from_robot),
+                              static_cast<double>(scan.hits.size()) * mixture_.outlier_log());
 }
 
 SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const std::vector<Eigen::Vector2d>& hits,
@@ -142,16 +122,16 @@ SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const std::vector<Eige
     const double x = c * hits[i].x() - s * hits[i].y(), y = s * hits[i].x() + c * hits[i].y();
     const SurfaceMap::Nearest nearest = reader.nearest(map_from_robot.x + x, map_from_robot.y + y);
     if (!nearest.found) {
-      sum += static_cast<float>(floor_);
+      sum += static_cast<float>(mixture_.outlier_log());
       continue;
     }
     const Projection along(nearest);
-    const Level level = level_at(squared_distance(nearest, along));
-    sum += level.log;
+    const HitMixture::Value value = mixture_.at(squared_distance(nearest, along));
+    sum += value.log;
     // Along its line a point may slide: it pulls across it only.
-    const float nxx = level.share * (1.0F - along.half - along.x);
-    const float nxy = -level.share * along.y;
-    const float nyy = level.share * (1.0F - along.half + along.x);
+    const float nxx = value.inlier * (1.0F - along.half - along.x);
+    const float nxy = -value.inlier * along.y;
+    const float nyy = value.inlier * (1.0F - along.half + along.x);
     const float pull_x = nxx * nearest.off_x + nxy * nearest.off_y;
     const float pull_y = nxy * nearest.off_x + nyy * nearest.off_y;
     // A turn moves the point by (-dy, dx).

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/field/hit_mixture.h"
 #include "algorithms/field/surface_map.h"
 #include "algorithms/motion/pose_prior.h"
 #include "algorithms/scan/hit_points.h"
@@ -14,10 +15,10 @@
 namespace mapbed {
 
 struct SurfaceLikelihoodOptions {
-  double sigma = 0.08;      // [m] of an end point about the mapped surface
-  double hit_share = 0.85;  // of beams that the map explains
+  double sigma = 0.08;         // [m] of an end point about the mapped surface
+  double inlier_ratio = 0.85;  // of beams that the map explains
   // The beams of a scan share errors (of the map, of the model), so the logarithm of their product
-  // counts with this share.
+  // counts with this fraction.
   double beam_weight = 0.1;
   // The same where a particle is drawn from the scan's posterior. Drawn as widely as above, single
   // particles stray farther than scan matching does, and the right path is not among a hundred.
@@ -28,10 +29,11 @@ struct SurfaceLikelihoodOptions {
 
 template <class Visitor>
 void visit_fields(SurfaceLikelihoodOptions& o, Visitor&& visit) {
-  visit("sigma", o.sigma, Unit::meter, kPositive, "spread of end points about the mapped surface");
-  visit("hit_share", o.hit_share, between(0.01, 0.999), "share of beams that the map explains");
+  visit("sigma", o.sigma, Unit::meter, kPositive, "sigma of end points about the mapped surface");
+  visit("inlier_ratio", o.inlier_ratio, between(0.01, 0.999),
+        "fraction of beams that the map explains");
   visit("beam_weight", o.beam_weight, between(0.001, 1.0),
-        "share with which a beam counts, as beams err alike");
+        "fraction with which a beam counts, as beams err alike");
   visit("proposal_weight", o.proposal_weight, between(0.001, 1.0),
         "the same where a particle's pose is drawn from the scan's posterior");
   visit("free_before_end", o.free_before_end, Unit::meter, kNotNegative,
@@ -56,11 +58,9 @@ struct LocalPosterior {
   double log_evidence = 0.0;  // ln of the integral of p(z | x, m) p(x), up to a constant
 };
 
-// ln p(z | x, m) by end points: of each, by its distance d to the mapped surface next to it,
-//
-//   ln(w exp(-d^2 / (2 sigma^2)) + 1 - w),   w = hit_share,
-//
-// and of each maximum-range beam ln(1 - w) where the map has something shortly before its end.
+// ln p(z | x, m) by end points: of each, by its distance to the mapped surface next to it
+// (HitMixture), and of each maximum-range beam ln(1 - inlier_ratio) where the map has something
+// shortly before its end.
 class SurfaceLikelihood {
  public:
   explicit SurfaceLikelihood(const SurfaceLikelihoodOptions& options = {});
@@ -70,18 +70,13 @@ class SurfaceLikelihood {
                         const Pose2& map_from_robot) const;
 
   // 1: all end points lie on the map, 0: none does; by their mean log-likelihood. 0 without any.
-  double explained_share(const ScanForWeighting& scan, const SurfaceMap& map,
-                         const Pose2& map_from_robot) const;
+  double inlier_ratio(const ScanForWeighting& scan, const SurfaceMap& map,
+                      const Pose2& map_from_robot) const;
 
   LocalPosterior local_posterior(const Pose2& start, const ScanForWeighting& scan,
                                  const SurfaceMap& map, const PosePrior& prior) const;
 
  private:
-  struct Level {
-    float log;    // of the mixture
-    float share;  // of the Gaussian in it
-  };
-  Level level_at(float squared_distance) const;
   // The same sum without the weight, and how it changes about the pose: its slope and minus its
   // curvature (Gauss-Newton's) with steps of (x, y, theta), x and y along the axes of the map.
   struct Slope {
@@ -98,9 +93,7 @@ class SurfaceLikelihood {
                      const Pose2& map_from_robot) const;
 
   SurfaceLikelihoodOptions options_;
-  double floor_;               // ln(1 - w)
-  float levels_per_square_;    // squared distance [m^2] -> index into levels_
-  std::vector<Level> levels_;  // by squared distance, linear in between
+  HitMixture mixture_;
 };
 
 }  // namespace mapbed

@@ -42,7 +42,7 @@ double plain_log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
     const double squared = off.squaredNorm() - (1.0 - 0.1 * 0.1) * along * along;
     const double gauss =
         nearest.found ? std::exp(-0.5 * squared / (options.sigma * options.sigma)) : 0.0;
-    sum += std::log(options.hit_share * gauss + 1.0 - options.hit_share);
+    sum += std::log(options.inlier_ratio * gauss + 1.0 - options.inlier_ratio);
   }
   return options.beam_weight * sum;
 }
@@ -73,7 +73,7 @@ TEST(SurfaceLikelihood, WhatAMissingReturnPassedThroughMustBeFree) {
     return SurfaceLikelihood(options).log_likelihood(
         scan_for_weighting(scan, {}, options, kResolution), map, pose);
   };
-  const double contradiction = std::log(1.0 - options.hit_share);
+  const double contradiction = std::log(1.0 - options.inlier_ratio);
   EXPECT_NEAR(log_likelihood({}), contradiction, 1e-6);  // 0.15 m before the beam's end
   EXPECT_EQ(log_likelihood({0.0, 0.5, 0.0}), 0.0);       // beside it
   EXPECT_EQ(log_likelihood({-0.4, 0.0, 0.0}), 0.0);      // behind the beam's end
@@ -116,12 +116,12 @@ TEST_P(LocalPosteriorOf, AScanHasModeSpreadAndEvidenceOfTheWholeDensity) {
     }
   }
   mean /= sum;
-  const Eigen::Matrix3d spread = squares / sum - mean * mean.transpose();
+  const Eigen::Matrix3d scatter = squares / sum - mean * mean.transpose();
   for (int i = 0; i < 3; ++i) {
     const double sigma = std::sqrt(found.covariance(i, i));
     EXPECT_LT(std::abs(mean(i)), 0.3 * sigma) << "of coordinate " << i;
     // Tails heavier than the Gaussian's, as hits may be explained by chance.
-    EXPECT_NEAR(spread(i, i) / found.covariance(i, i), 1.1, 0.25) << "of coordinate " << i;
+    EXPECT_NEAR(scatter(i, i) / found.covariance(i, i), 1.1, 0.25) << "of coordinate " << i;
   }
   // Up to the constant (2 pi)^(3/2) of the Gaussian's integral.
   const double log_integral = log_density(found.mode) + std::log(sum * step.prod());

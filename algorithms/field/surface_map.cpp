@@ -69,11 +69,11 @@ SurfaceMap::Tile& SurfaceMap::tile_for_writing(int tile_x, int tile_y) {
 inline void SurfaceMap::Cell::count_in(float new_x, float new_y, float new_doubled_x,
                                        float new_doubled_y) {
   if (count < std::numeric_limits<std::uint16_t>::max()) ++count;
-  const float share = 1.0F / static_cast<float>(count);
+  const float fraction = 1.0F / static_cast<float>(count);
   constexpr float kAboveZero = 65536.0F;  // where cutting off the rest rounds down
-  const auto towards = [share](auto& mean, float value) {
+  const auto towards = [fraction](auto& mean, float value) {
     const auto old = static_cast<float>(mean);
-    const float moved = old + (value - old) * share;
+    const float moved = old + (value - old) * fraction;
     mean = static_cast<std::remove_reference_t<decltype(mean)>>(
         static_cast<int>(moved + (kAboveZero + 0.5F)) - static_cast<int>(kAboveZero));
   };

@@ -7,7 +7,7 @@
 
 namespace mapbed {
 
-// How a map of the share of beams that each cell reflects, m_j of (2.14), explains a beam.
+// How a map of the fraction of beams that each cell reflects, m_j of (2.14), explains a beam.
 struct BeamLikelihoodOptions {
   // A cell counts with the length x_j of the beam in it, in cell sides: prod (1 - m_j)^x_j, section
   // 4.2. Without it each covered cell counts once, as (2.14) is printed, and a slanting beam, which
@@ -22,9 +22,9 @@ template <class Visitor>
 void visit_fields(BeamLikelihoodOptions& o, Visitor&& visit) {
   visit("length_weighted", o.length_weighted,
         "a cell counts with the length of the beam in it, and not just once");
-  visit("unknown", o.unknown, kShare, "share of beams that an unknown cell reflects");
+  visit("unknown", o.unknown, kShare, "fraction of beams that an unknown cell reflects");
   visit("least_m", o.least_m, between(1e-12, 0.5),
-        "a cell reflects at least this share of beams, and lets at least this share through");
+        "a cell reflects at least this fraction of beams, and lets at least this fraction through");
   visit("beams", o.beams, "which beams are used, and how far");
 }
 

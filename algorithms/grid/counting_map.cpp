@@ -13,8 +13,8 @@ void CountingMap::insert(const Beam& beam) {
 
 OccupancyMap CountingMap::occupancy() const {
   return occupancy_of(cells_, [](const Cell& cell) {
-    const std::optional<double> share = counting_occupancy(cell.hits, cell.misses);
-    return share ? known(*share) : Occupancy{};
+    const std::optional<double> fraction = counting_occupancy(cell.hits, cell.misses);
+    return fraction ? known(*fraction) : Occupancy{};
   });
 }
 

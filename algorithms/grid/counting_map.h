@@ -8,7 +8,7 @@
 
 namespace mapbed {
 
-// (2.15): the share of beams that a cell reflects, by how many ended in it and how many went
+// (2.15): the fraction of beams that a cell reflects, by how many ended in it and how many went
 // through. None where no beam touched it: 0/0 is unknown.
 inline std::optional<double> counting_occupancy(double c_occ, double c_free) {
   if (c_occ + c_free <= 0.0) return std::nullopt;

@@ -28,9 +28,9 @@ template <class Visitor>
 CoveredCell traverse(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
                      const GridFrame& frame, Visitor&& visit) {
   struct Axis {
-    double to_crossing;  // share of the line that lies before the next border on this axis
+    double to_crossing;  // fraction of the line that lies before the next border on this axis
     double border;       // the next border [cell sides from the start]
-    double per_side;     // share of the line per cell side
+    double per_side;     // fraction of the line per cell side
     double step;         // +1 or -1
     int left;            // borders still to cross
 
@@ -62,7 +62,7 @@ CoveredCell traverse(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
   const int step_y = y.step > 0.0 ? 1 : -1;
   const double total = (end - start).norm();
 
-  double done = 0.0;  // share of the line
+  double done = 0.0;  // fraction of the line
   while (x.left + y.left > 0) {
     const double next = std::min(x.to_crossing, y.to_crossing);
     if (next > done) visit(cell, (next - done) * total);

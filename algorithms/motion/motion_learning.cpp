@@ -14,33 +14,33 @@
 namespace mapbed {
 namespace {
 
-constexpr double kLeastSpread = 1e-4;         // [m] or [rad]
+constexpr double kLeastSigma = 1e-4;          // [m] or [rad]
 constexpr double kLogTwoPi = 1.837877066409;  // ln(2 pi)
 
-// The spreads as logarithms.
+// The sigmas as logarithms.
 using Parameters = std::array<double, 6>;
 
 Parameters parameters_of(const MotionModelOptions& m) {
-  Parameters p{m.turn_noise,   m.turn_per_meter, m.way_per_meter,
-               m.way_per_turn, m.floor_turn,     m.floor_way};
-  for (double& spread : p) spread = std::log(std::max(spread, kLeastSpread));
+  Parameters p{m.rotation_per_rotation,    m.rotation_per_meter,   m.translation_per_meter,
+               m.translation_per_rotation, m.least_rotation_sigma, m.least_translation_sigma};
+  for (double& sigma : p) sigma = std::log(std::max(sigma, kLeastSigma));
   return p;
 }
 
 MotionModelOptions model_of(const Parameters& p, const MotionModelOptions& biases) {
-  return {.turn_noise = std::exp(p[0]),
-          .turn_per_meter = std::exp(p[1]),
-          .way_per_meter = std::exp(p[2]),
-          .way_per_turn = std::exp(p[3]),
-          .floor_turn = std::exp(p[4]),
-          .floor_way = std::exp(p[5]),
-          .turn_bias = biases.turn_bias,
-          .way_bias = biases.way_bias};
+  return {.rotation_per_rotation = std::exp(p[0]),
+          .rotation_per_meter = std::exp(p[1]),
+          .translation_per_meter = std::exp(p[2]),
+          .translation_per_rotation = std::exp(p[3]),
+          .least_rotation_sigma = std::exp(p[4]),
+          .least_translation_sigma = std::exp(p[5]),
+          .rotation_bias = biases.rotation_bias,
+          .translation_bias = biases.translation_bias};
 }
 
 bool is_allowed(const Parameters& p) {
-  return std::all_of(p.begin(), p.end(), [](double spread) {
-    return spread >= std::log(kLeastSpread) && spread <= std::log(2.0);
+  return std::all_of(p.begin(), p.end(), [](double log_sigma) {
+    return log_sigma >= std::log(kLeastSigma) && log_sigma <= std::log(2.0);
   });
 }
 
@@ -52,17 +52,19 @@ double bias_of(double actual_squared, double actual_by_measured) {
   return std::clamp(1.0 - actual_squared / actual_by_measured, -0.5, 0.5);
 }
 
-// Of turns and ways.
+// Of rotations and translations.
 MotionModelOptions biases_of(const std::vector<MotionSample>& samples) {
-  double turns = 0.0, turns_measured = 0.0, ways = 0.0, ways_measured = 0.0;
+  double rotations = 0.0, rotations_measured = 0.0;
+  double translations = 0.0, translations_measured = 0.0;
   for (const MotionSample& sample : samples) {
-    const double way = decomposed(sample.reference).way;
-    turns += sample.reference.theta * sample.reference.theta;
-    turns_measured += sample.reference.theta * sample.measured.theta;
-    ways += way * way;
-    ways_measured += way * decomposed(sample.measured).way;
+    const double translation = parts_of(sample.reference).translation;
+    rotations += sample.reference.theta * sample.reference.theta;
+    rotations_measured += sample.reference.theta * sample.measured.theta;
+    translations += translation * translation;
+    translations_measured += translation * parts_of(sample.measured).translation;
   }
-  return {.turn_bias = bias_of(turns, turns_measured), .way_bias = bias_of(ways, ways_measured)};
+  return {.rotation_bias = bias_of(rotations, rotations_measured),
+          .translation_bias = bias_of(translations, translations_measured)};
 }
 
 Eigen::Vector3d vector_of(const Pose2& pose) {
@@ -109,7 +111,7 @@ MotionModelOptions learned_motion_model(const std::vector<MotionSample>& samples
   const MotionModelOptions biases = biases_of(samples);
   Parameters best = parameters_of(start);
   double best_value = mean_log_likelihood(samples, model_of(best, biases));
-  // A spread changes by a factor of e^step.
+  // A sigma changes by a factor of e^step.
   for (double step = 1.0; step >= 0.01;) {
     const double before = best_value;
     for (std::size_t i = 0; i < best.size(); ++i) {
@@ -131,19 +133,20 @@ MotionModelOptions learned_motion_model(const std::vector<MotionSample>& samples
 Calibration calibration_of(const std::vector<MotionSample>& samples,
                            const MotionModelOptions& model) {
   CHECK(!samples.empty());
-  const double inside_95 = chi_square_quantile(0.95, 3);
+  const double quantile_95 = chi_square_quantile(0.95, 3);
   double sum = 0.0;
-  int inside = 0;
+  int within = 0;
   for (const MotionSample& sample : samples) {
     const double squared = squared_error(sample, gaussian_after({}, sample.measured, model));
     sum += squared / 3.0;
-    inside += squared <= inside_95 ? 1 : 0;
+    within += squared <= quantile_95 ? 1 : 0;
   }
   const auto count = static_cast<double>(samples.size());
-  return {sum / count, inside / count};
+  return {sum / count, within / count};
 }
 
-double error_memory_of(const std::vector<MotionSample>& samples, const MotionModelOptions& model) {
+double autocorrelation_of(const std::vector<MotionSample>& samples,
+                          const MotionModelOptions& model) {
   CHECK(samples.size() >= 2);
   double squares = 0.0, products = 0.0;
   Eigen::Vector3d before = Eigen::Vector3d::Zero();

@@ -9,73 +9,66 @@
 namespace mapbed {
 namespace {
 
-constexpr double kLeastWay = 0.01;  // [m] below this the direction of the way means nothing
-
-struct Spreads {
-  double alpha, way, beta;
+// Of the errors of each part.
+struct Sigmas {
+  double first_rotation, translation, second_rotation;
 };
 
-Spreads spreads_of(const TurnWayTurn& motion, const MotionModelOptions& o) {
-  const double d = std::abs(motion.way);
-  const auto turn_spread = [&](double turn) {
-    return std::sqrt(o.turn_noise * o.turn_noise * std::abs(turn) +
-                     o.turn_per_meter * o.turn_per_meter * d + o.floor_turn * o.floor_turn);
+Sigmas sigmas_of(const RotationTranslationRotation& motion, const MotionModelOptions& o) {
+  const double d = std::abs(motion.translation);
+  const auto rotation_sigma = [&](double turn) {
+    return std::sqrt(o.rotation_per_rotation * o.rotation_per_rotation * std::abs(turn) +
+                     o.rotation_per_meter * o.rotation_per_meter * d +
+                     o.least_rotation_sigma * o.least_rotation_sigma);
   };
-  return {
-      turn_spread(motion.alpha),
-      std::sqrt(o.way_per_meter * o.way_per_meter * d +
-                o.way_per_turn * o.way_per_turn * (std::abs(motion.alpha) + std::abs(motion.beta)) +
-                o.floor_way * o.floor_way),
-      turn_spread(motion.beta)};
+  return {rotation_sigma(motion.first_rotation),
+          std::sqrt(o.translation_per_meter * o.translation_per_meter * d +
+                    o.translation_per_rotation * o.translation_per_rotation *
+                        (std::abs(motion.first_rotation) + std::abs(motion.second_rotation)) +
+                    o.least_translation_sigma * o.least_translation_sigma),
+          rotation_sigma(motion.second_rotation)};
 }
 
-TurnWayTurn corrected(TurnWayTurn motion, const MotionModelOptions& o) {
-  motion.alpha -= o.turn_bias * motion.alpha;
-  motion.beta -= o.turn_bias * motion.beta;
-  motion.way -= o.way_bias * motion.way;
+RotationTranslationRotation corrected(RotationTranslationRotation motion,
+                                      const MotionModelOptions& o) {
+  motion.first_rotation -= o.rotation_bias * motion.first_rotation;
+  motion.second_rotation -= o.rotation_bias * motion.second_rotation;
+  motion.translation -= o.translation_bias * motion.translation;
   return motion;
-}
-
-Pose2 composed(const TurnWayTurn& motion) {
-  return {motion.way * std::cos(motion.alpha), motion.way * std::sin(motion.alpha),
-          normalized_angle(motion.alpha + motion.beta)};
 }
 
 }  // namespace
 
-TurnWayTurn decomposed(const Pose2& motion) {
-  const double way = std::hypot(motion.x, motion.y);
-  if (way < kLeastWay) return {0.0, motion.x, motion.theta};
-  double alpha = std::atan2(motion.y, motion.x);
-  const bool backwards = std::abs(alpha) > kPi / 2;
-  if (backwards) alpha = normalized_angle(alpha + kPi);
-  return {alpha, backwards ? -way : way, normalized_angle(motion.theta - alpha)};
+RotationTranslationRotation parts_of(const Pose2& motion) {
+  constexpr double kLeastTranslation = 0.01;  // [m]
+  return decomposed(motion, kLeastTranslation);
 }
 
 Pose2 sampled_motion(const Pose2& measured, const MotionModelOptions& options, Rng& rng) {
-  const TurnWayTurn motion = corrected(decomposed(measured), options);
-  const Spreads spread = spreads_of(motion, options);
-  const Pose2 result =
-      composed({rng.normal(motion.alpha, spread.alpha), rng.normal(motion.way, spread.way),
-                rng.normal(motion.beta, spread.beta)});
-  return result * Pose2{0.0, rng.normal(0.0, options.floor_way), 0.0};
+  const RotationTranslationRotation motion = corrected(parts_of(measured), options);
+  const Sigmas sigma = sigmas_of(motion, options);
+  const Pose2 result = composed({rng.normal(motion.first_rotation, sigma.first_rotation),
+                                 rng.normal(motion.translation, sigma.translation),
+                                 rng.normal(motion.second_rotation, sigma.second_rotation)});
+  return result * Pose2{0.0, rng.normal(0.0, options.least_translation_sigma), 0.0};
 }
 
 PosePrior gaussian_after(const Pose2& start, const Pose2& measured,
                          const MotionModelOptions& options) {
-  const TurnWayTurn motion = corrected(decomposed(measured), options);
-  const Spreads spread = spreads_of(motion, options);
+  const RotationTranslationRotation motion = corrected(parts_of(measured), options);
+  const Sigmas sigma = sigmas_of(motion, options);
   const Pose2 likeliest = composed(motion);
-  // How the end moves with alpha, way and beta, in the frame of the end.
+  // How the end moves with each part, in the frame of the end.
   Eigen::Matrix3d moves;
-  const double sideways = motion.way;  // an error in alpha swings the end about the start
-  const double c = std::cos(motion.beta), s = std::sin(motion.beta);
+  const double sideways = motion.translation;  // by the first rotation, about the start
+  const double c = std::cos(motion.second_rotation), s = std::sin(motion.second_rotation);
   moves << s * sideways, c, 0.0, c * sideways, -s, 0.0, 1.0, 0.0, 1.0;
-  const Eigen::Vector3d variances(spread.alpha * spread.alpha, spread.way * spread.way,
-                                  spread.beta * spread.beta);
+  const Eigen::Vector3d variances(sigma.first_rotation * sigma.first_rotation,
+                                  sigma.translation * sigma.translation,
+                                  sigma.second_rotation * sigma.second_rotation);
   Eigen::Matrix3d covariance = moves * variances.asDiagonal() * moves.transpose();
-  const double floor = options.floor_way * options.floor_way;
-  covariance.diagonal() += Eigen::Vector3d(floor, floor, 1e-8);
+  const double least = options.least_translation_sigma * options.least_translation_sigma;
+  covariance.diagonal() += Eigen::Vector3d(least, least, 1e-8);
   return {.mean = start * likeliest, .information = covariance.inverse()};
 }
 

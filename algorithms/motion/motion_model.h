@@ -4,50 +4,53 @@
 
 #include "algorithms/motion/pose_prior.h"
 #include "core/config/option.h"
+#include "core/geometry/rotation_translation_rotation.h"
 #include "core/random.h"
 
 namespace mapbed {
 
-// Section 5.3, Figure 5.2: a motion is a turn alpha, a way d and a turn beta, and each of the three
-// has an error of its own that grows with the motion. Where the robot hardly moves forward, alpha
-// is taken as zero and the whole turn as beta. Driving backwards is a negative way, not a turn by
-// pi.
+// Section 5.3, Figure 5.2: each part of a motion, alpha, d and beta, has an error of its own that
+// grows with the motion:
 //
-//   sigma_alpha^2 = turn_noise^2 |alpha| + turn_per_meter^2 d + floor_turn^2,  the same for beta
-//   sigma_d^2     = way_per_meter^2 d + way_per_turn^2 (|alpha| + |beta|) + floor_way^2
+//   sigma_alpha^2 = rotation_per_rotation^2 |alpha| + rotation_per_meter^2 |d|
+//                   + least_rotation_sigma^2,                       the same for beta
+//   sigma_d^2     = translation_per_meter^2 |d| + translation_per_rotation^2 (|alpha| + |beta|)
+//                   + least_translation_sigma^2
 //
-// Variances, not spreads, grow with the length of the motion, so that two halves err as the whole.
+// Variances, not sigmas, grow with the length of the motion, so that two halves err as the whole.
 struct MotionModelOptions {
-  double turn_noise = 0.15;      // [rad] after a turn of 1 rad
-  double turn_per_meter = 0.08;  // [rad] after a way of 1 m
-  double way_per_meter = 0.10;   // [m] after a way of 1 m
-  double way_per_turn = 0.03;    // [m] after a turn of 1 rad
-  double floor_turn = 0.005;     // [rad]
-  double floor_way = 0.005;      // [m] also sideways
-  double turn_bias = 0.0;        // mean error of turns, as a share of them
-  double way_bias = 0.0;         // mean error of ways, as a share of them
+  double rotation_per_rotation = 0.15;     // [rad] sigma after 1 rad
+  double rotation_per_meter = 0.08;        // [rad] after 1 m
+  double translation_per_meter = 0.10;     // [m] after 1 m
+  double translation_per_rotation = 0.03;  // [m] after 1 rad
+  double least_rotation_sigma = 0.005;     // [rad]
+  double least_translation_sigma = 0.005;  // [m] also sideways
+  double rotation_bias = 0.0;              // mean error of rotations, as a fraction of them
+  double translation_bias = 0.0;           // the same of translations
 };
 
 template <class Visitor>
 void visit_fields(MotionModelOptions& o, Visitor&& visit) {
-  visit("turn_noise", o.turn_noise, Unit::radian, kNotNegative, "spread of a turn after 1 rad");
-  visit("turn_per_meter", o.turn_per_meter, Unit::radian, kNotNegative,
-        "spread of a turn after 1 m");
-  visit("way_per_meter", o.way_per_meter, Unit::meter, kNotNegative, "spread of the way after 1 m");
-  visit("way_per_turn", o.way_per_turn, Unit::meter, kNotNegative, "spread of the way after 1 rad");
-  visit("floor_turn", o.floor_turn, Unit::radian, kPositive, "spread of a turn at least");
-  visit("floor_way", o.floor_way, Unit::meter, kPositive, "spread of the way at least");
-  visit("turn_bias", o.turn_bias, between(-0.9, 0.9), "mean error of turns, as a share of them");
-  visit("way_bias", o.way_bias, between(-0.9, 0.9), "mean error of ways, as a share of them");
+  visit("rotation_per_rotation", o.rotation_per_rotation, Unit::radian, kNotNegative,
+        "sigma of a rotation after 1 rad");
+  visit("rotation_per_meter", o.rotation_per_meter, Unit::radian, kNotNegative,
+        "sigma of a rotation after 1 m");
+  visit("translation_per_meter", o.translation_per_meter, Unit::meter, kNotNegative,
+        "sigma of the translation after 1 m");
+  visit("translation_per_rotation", o.translation_per_rotation, Unit::meter, kNotNegative,
+        "sigma of the translation after 1 rad");
+  visit("least_rotation_sigma", o.least_rotation_sigma, Unit::radian, kPositive,
+        "sigma of a rotation at least");
+  visit("least_translation_sigma", o.least_translation_sigma, Unit::meter, kPositive,
+        "sigma of the translation at least");
+  visit("rotation_bias", o.rotation_bias, between(-0.9, 0.9),
+        "mean error of rotations, as a fraction of them");
+  visit("translation_bias", o.translation_bias, between(-0.9, 0.9),
+        "mean error of translations, as a fraction of them");
 }
 
-// The motion's turn, way and turn.
-struct TurnWayTurn {
-  double alpha = 0.0;  // [rad]
-  double way = 0.0;    // [m] negative: backwards
-  double beta = 0.0;   // [rad]
-};
-TurnWayTurn decomposed(const Pose2& motion);
+// A motion as the models see it; below a centimetre its direction means nothing.
+RotationTranslationRotation parts_of(const Pose2& motion);
 
 // A motion that may have happened where `measured` was measured.
 Pose2 sampled_motion(const Pose2& measured, const MotionModelOptions& options, Rng& rng);

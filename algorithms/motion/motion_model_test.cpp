@@ -10,26 +10,13 @@
 namespace mapbed {
 namespace {
 
-TEST(MotionModel, TakesAMotionApartIntoTurnWayAndTurn) {
-  const TurnWayTurn motion = decomposed({1.0, 1.0, radians(60)});
-  EXPECT_NEAR(motion.alpha, radians(45), 1e-12);
-  EXPECT_NEAR(motion.way, std::sqrt(2.0), 1e-12);
-  EXPECT_NEAR(motion.beta, radians(15), 1e-12);
-}
-
-TEST(MotionModel, BackwardsIsANegativeWayAndNoHalfTurn) {
-  const TurnWayTurn motion = decomposed({-1.0, 0.1, 0.0});
-  EXPECT_LT(motion.way, -1.0);
-  EXPECT_LT(std::abs(motion.alpha), radians(10));
-}
-
 TEST(MotionModel, WithoutErrorsGivesTheMeasuredMotion) {
-  const MotionModelOptions exact{.turn_noise = 0,
-                                 .turn_per_meter = 0,
-                                 .way_per_meter = 0,
-                                 .way_per_turn = 0,
-                                 .floor_turn = 1e-12,
-                                 .floor_way = 1e-12};
+  const MotionModelOptions exact{.rotation_per_rotation = 0,
+                                 .rotation_per_meter = 0,
+                                 .translation_per_meter = 0,
+                                 .translation_per_rotation = 0,
+                                 .least_rotation_sigma = 1e-12,
+                                 .least_translation_sigma = 1e-12};
   Rng rng(1);
   for (const Pose2 motion : {Pose2{0.5, 0.1, 0.3}, Pose2{-0.5, 0.1, 0.3}, Pose2{0, 0, 1.0}}) {
     EXPECT_THAT(sampled_motion(motion, exact, rng), IsNear(motion, Tolerance{1e-9, 1e-9}));
@@ -39,22 +26,22 @@ TEST(MotionModel, WithoutErrorsGivesTheMeasuredMotion) {
 // The Gaussian used by searches has the moments of the samples, to first order in the errors.
 TEST(MotionModel, TheGaussianHasTheSpreadOfTheSamples) {
   const MotionModelOptions options{
-      .turn_noise = 0.05, .turn_per_meter = 0.03, .way_per_meter = 0.05};
+      .rotation_per_rotation = 0.05, .rotation_per_meter = 0.03, .translation_per_meter = 0.05};
   const Pose2 motion{1.0, 0.2, 0.4};
   const PosePrior gaussian = gaussian_after({}, motion, options);
   constexpr int n = 20'000;
   Rng rng(3);
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (int i = 0; i < n; ++i) {
     const Pose2 error = motion_between(gaussian.mean, sampled_motion(motion, options, rng));
     const Eigen::Vector3d e(error.x, error.y, error.theta);
-    spread += e * e.transpose() / n;
+    scatter += e * e.transpose() / n;
   }
   const Eigen::Matrix3d expected = gaussian.information.inverse();
   for (int i = 0; i < 3; ++i) {
     // A variance of n samples has the relative standard error sqrt(2 / n) = 1 %; 5 of them, and the
     // second order of the errors.
-    EXPECT_NEAR(spread(i, i) / expected(i, i), 1.0, 0.08);
+    EXPECT_NEAR(scatter(i, i) / expected(i, i), 1.0, 0.08);
   }
 }
 

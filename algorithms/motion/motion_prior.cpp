@@ -6,11 +6,11 @@ namespace mapbed {
 
 PosePrior predict(const Pose2& map_from_robot, const Pose2& motion,
                   const MotionPriorOptions& options) {
-  const double way = std::hypot(motion.x, motion.y), turn = std::abs(motion.theta);
-  const double position =
-      options.position_sigma + options.position_per_meter * way + options.position_per_turn * turn;
-  const double heading =
-      options.heading_sigma + options.heading_per_meter * way + options.heading_per_turn * turn;
+  const double translation = std::hypot(motion.x, motion.y), turn = std::abs(motion.theta);
+  const double position = options.position_sigma + options.position_per_meter * translation +
+                          options.position_per_turn * turn;
+  const double heading = options.heading_sigma + options.heading_per_meter * translation +
+                         options.heading_per_turn * turn;
   return independent_prior(map_from_robot * motion, position, position, heading);
 }
 

@@ -6,7 +6,7 @@
 namespace mapbed {
 
 // What the motion between two scans is worth: p(x | u, x') of (2.19) as a Gaussian about the
-// predicted pose. With odometry the spread grows with the motion; without, with the time passed:
+// predicted pose. With odometry the sigma grows with the motion; without, with the time passed:
 // the robot is taken to go on as before, and may have changed its speed.
 struct MotionPriorOptions {
   double position_sigma = 0.03;     // [m] at least
@@ -22,17 +22,16 @@ struct MotionPriorOptions {
 template <class Visitor>
 void visit_fields(MotionPriorOptions& o, Visitor&& visit) {
   visit("position_sigma", o.position_sigma, Unit::meter, kPositive,
-        "spread of the position at least");
-  visit("heading_sigma", o.heading_sigma, Unit::radian, kPositive,
-        "spread of the heading at least");
+        "sigma of the position at least");
+  visit("heading_sigma", o.heading_sigma, Unit::radian, kPositive, "sigma of the heading at least");
   visit("position_per_meter", o.position_per_meter, kNotNegative,
-        "spread of the position, for each metre");
+        "sigma of the position, for each metre");
   visit("position_per_turn", o.position_per_turn, kNotNegative,
-        "spread of the position [m] for each radian");
+        "sigma of the position [m] for each radian");
   visit("heading_per_meter", o.heading_per_meter, Unit::radian_per_meter, kNotNegative,
-        "spread of the heading for each metre");
+        "sigma of the heading for each metre");
   visit("heading_per_turn", o.heading_per_turn, kNotNegative,
-        "spread of the heading for each radian");
+        "sigma of the heading for each radian");
   visit("speed_sigma", o.speed_sigma, Unit::meter_per_second, kPositive,
         "without odometry: change of speed from scan to scan");
   visit("turn_speed_sigma", o.turn_speed_sigma, Unit::radian_per_second, kPositive,

@@ -50,7 +50,7 @@ TEST_F(TrackedPath, AnchorsLieWhereThePathHasThem) {
 }
 
 TEST_F(TrackedPath, AScanBetweenAnchorsLiesBetweenWhatBothSay) {
-  // (0.5, 0) from before, (0.5, 0.2) from after, with the same spread.
+  // (0.5, 0) from before, (0.5, 0.2) from after, with the same sigma.
   const Pose2 between = all_scans({})[1].pose;
   EXPECT_NEAR(between.x, 0.5, 0.02);
   EXPECT_NEAR(between.y, 0.1, 0.01);

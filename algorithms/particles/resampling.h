@@ -11,7 +11,7 @@ namespace mapbed {
 enum class Resampling : int {
   never,
   always,     // after every weighting
-  selective,  // when the effective number of particles falls below a share of their number
+  selective,  // when the effective number of particles falls below a fraction of their number
 };
 
 // Normalised weights from logarithms, the largest taken out first. Where none is finite: all alike.

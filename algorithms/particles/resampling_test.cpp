@@ -47,7 +47,7 @@ TEST(Resampling, AParticleOfLittleWeightIsDrawnAsOftenAsItDeserves) {
     for (const std::size_t parent : resampled(weights, rng)) mean[parent] += 1.0 / kDraws;
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    // A share of 4 w - floor(4 w) of the draws has one copy more: five standard errors.
+    // A fraction of 4 w - floor(4 w) of the draws has one copy more: five standard errors.
     EXPECT_NEAR(mean[i], 4 * weights[i], 5 * 0.5 / std::sqrt(kDraws)) << i;
   }
 }

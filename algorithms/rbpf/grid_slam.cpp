@@ -23,15 +23,15 @@ GridSlam::GridSlam(const GridSlamOptions& options, Rng rng, const Pose2& start)
       rng_(rng),
       start_(start),
       likelihood_(options.likelihood),
-      troubles_(options.troubles, options.proposal != Proposal::odometry),
-      condenser_({options.proposal, options.update_distance, options.update_turn, options.matcher}),
+      diagnostics_(options.input_diagnostics, options.proposal != Proposal::odometry),
+      front_end_({options.proposal, options.update_distance, options.update_turn, options.matcher}),
       loop_detector_(options.loop_closing) {
   CHECK(options.particles > 0);
 }
 
 void GridSlam::add(const Measurement& measurement, std::span<const float> beam_weights) {
   if (const auto* odometry = std::get_if<Odometry>(&measurement)) {
-    condenser_.add(troubles_.without_jumps(*odometry));
+    front_end_.add(diagnostics_.without_jumps(*odometry));
   }
   const auto* scan = std::get_if<LaserScan>(&measurement);
   if (scan != nullptr && lasers_.take(*scan)) {
@@ -41,8 +41,8 @@ void GridSlam::add(const Measurement& measurement, std::span<const float> beam_w
 
 void GridSlam::add_scan(const LaserScan& scan) {
   const std::vector<Eigen::Vector2d> hits = hit_points(scan, options_.points);
-  const ScanCondenser::Result condensed = condenser_.add(scan);
-  troubles_.scan(scan.time, condensed.step, hits.size() >= kMinHits);
+  const FrontEnd::Result condensed = front_end_.add(scan);
+  diagnostics_.scan(scan.time, condensed.step, hits.size() >= kMinHits);
   if (condensed.update) update(scan, *condensed.update);
   if (!options_.refinement.enabled) return;
   KeptHits& kept = hits_.emplace_back();
@@ -68,7 +68,7 @@ void GridSlam::update(const LaserScan& scan, const UpdateMotion& motion) {
     move_and_weight(particles_[i], prepared_scan, motion, own);
   });
   const bool sees = prepared_scan.hits.size() >= kMinHits;
-  if (sees && found_again(prepared_scan, weights_before)) return;
+  if (sees && relocalized(prepared_scan, weights_before)) return;
   if (options_.best_only_after_loop && closes_loop(prepared_scan)) {
     keep_best_only();
   } else {
@@ -90,56 +90,57 @@ void GridSlam::start() {
 
 // Whether the robot is where the particles have it. True where it is not, but was found elsewhere:
 // then the particles were made anew, with this update's scan.
-bool GridSlam::found_again(const ScanForWeighting& scan,
+bool GridSlam::relocalized(const ScanForWeighting& scan,
                            const std::vector<double>& weights_before) {
   const double time = updates_.back().time;
-  const double explained = likelihood_.explained_share(scan, best().map, best().pose);
-  const std::optional<double> interruption = troubles_.interruption();
-  if (interruption || (troubles_.loses(explained) && !recovery_)) {
-    begin_recovery(interruption.value_or(time), weights_before);
+  const double inlier_ratio = likelihood_.inlier_ratio(scan, best().map, best().pose);
+  const std::optional<double> interruption = diagnostics_.interruption();
+  if (interruption || (diagnostics_.loses(inlier_ratio) && !relocalization_)) {
+    begin_relocalization(interruption.value_or(time), weights_before);
   }
-  PlaceSearch::Answer place{.is_here = true};
-  if (recovery_) place = recovery_->find({weighting_scans_, condenser_.updates()}, best().pose);
-  troubles_.update(time, explained, place.is_here || place.fits_here);
-  if (place.elsewhere) {
-    restart_at(*place.elsewhere);
-    condenser_.forget_past();
-  } else if (!place.is_here && !condenser_.newest_is_matched()) {
-    condenser_.forget_past();
+  GlobalLocalizer::Answer place{.confirmed = true};
+  if (relocalization_)
+    place = relocalization_->find({weighting_scans_, front_end_.updates()}, best().pose);
+  diagnostics_.update(time, inlier_ratio, place.confirmed || place.plausible);
+  if (place.relocated_to) {
+    restart_at(*place.relocated_to);
+    front_end_.forget_past();
+  } else if (!place.confirmed && !front_end_.newest_is_matched()) {
+    front_end_.forget_past();
   }
-  const bool over = place.is_here || place.elsewhere ||
-                    recovery_->gives_up({weighting_scans_, condenser_.updates()});
-  if (over) recovery_.reset();
-  return place.elsewhere.has_value();
+  const bool over = place.confirmed || place.relocated_to ||
+                    relocalization_->gives_up({weighting_scans_, front_end_.updates()});
+  if (over) relocalization_.reset();
+  return place.relocated_to.has_value();
 }
 
 // The robot may be anywhere with this update; the particles' maps do not know its scan yet. What
-// was seen since a trouble before that lies elsewhere again.
-void GridSlam::begin_recovery(double since, const std::vector<double>& weights_before) {
+// was seen since an interruption before that lies elsewhere again.
+void GridSlam::begin_relocalization(double since, const std::vector<double>& weights_before) {
   if (options_.relocalization.max_updates == 0) return;
   std::vector<Particle> before = particles_;
   for (std::size_t i = 0; i < before.size(); ++i) before[i].log_weight = weights_before[i];
-  recovery_.emplace(since, std::move(before),
-                    Recovery::Updates{weighting_scans_, condenser_.updates()},
-                    options_.relocalization);
+  relocalization_.emplace(since, std::move(before),
+                          Relocalization::Updates{weighting_scans_, front_end_.updates()},
+                          options_.relocalization);
 }
 
 void GridSlam::restart_at(const Pose2& found) {
-  particles_ = recovery_->restarted(found, {weighting_scans_, condenser_.updates()}, likelihood_,
-                                    options_.matching_errors, rng_);
+  particles_ = relocalization_->restarted(found, {weighting_scans_, front_end_.updates()},
+                                          likelihood_, options_.matching_errors, rng_);
   resample_where_needed();
-  troubles_.found_again(recovery_->since(), updates_.back().time);
-  breaks_.push_back({recovery_->since(), recovery_->first_update()});
+  diagnostics_.relocalized(relocalization_->since(), updates_.back().time);
+  breaks_.push_back({relocalization_->since(), relocalization_->first_update()});
 }
 
 void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
                                const UpdateMotion& motion, Rng& rng) const {
   const MotionErrors errors{options_.matching_errors, options_.odometry_errors,
-                            options_.matcher.motion, options_.matcher.recovery.window,
-                            options_.matcher.recovery.turn_window};
+                            options_.matcher.motion, options_.matcher.wide_search.window,
+                            options_.matcher.wide_search.turn_window};
   // Where odometry is known to be wrong, the scan alone says where to draw.
   const bool from_scan = options_.proposal == Proposal::improved ||
-                         (options_.proposal == Proposal::scan_matching && motion.step_refuted);
+                         (options_.proposal == Proposal::scan_matching && motion.step_contradicted);
   if (from_scan) {
     const PosePrior prior = prior_after(particle.pose, motion, errors);
     const LocalPosterior posterior =
@@ -194,8 +195,7 @@ bool GridSlam::closes_loop(const ScanForWeighting& scan) {
   const Particle& particle = best();
   std::vector<Pose2> path = path_of(*particle.history);
   path.push_back(particle.pose);
-  return loop_detector_.closes(path,
-                               likelihood_.explained_share(scan, particle.map, particle.pose));
+  return loop_detector_.closes(path, likelihood_.inlier_ratio(scan, particle.map, particle.pose));
 }
 
 void GridSlam::keep_best_only() {
@@ -215,12 +215,12 @@ const Particle& GridSlam::best() const {
 
 Pose2 GridSlam::pose() const {
   if (particles_.empty()) return start_;
-  return best().pose * motion_between(condenser_.updates().back().seen_from_robot,
-                                      condenser_.scans().back().track_from_robot);
+  return best().pose * motion_between(front_end_.updates().back().seen_from_robot,
+                                      front_end_.scans().back().track_from_robot);
 }
 
 std::vector<GridSlam::Motion> GridSlam::motions() const {
-  const std::vector<ScanCondenser::Update>& updates = condenser_.updates();
+  const std::vector<FrontEnd::Update>& updates = front_end_.updates();
   std::vector<Motion> result;
   for (std::size_t i = 1; i < updates.size(); ++i) {
     if (!updates[i].is_condensed) continue;
@@ -240,11 +240,11 @@ Hypotheses GridSlam::hypotheses() const {
 }
 
 Track GridSlam::track() const {
-  Track track{.scans = condenser_.scans(),
+  Track track{.scans = front_end_.scans(),
               .track_from_anchors = {},
               .breaks = breaks_,
               .errors = motion_errors()};
-  for (const ScanCondenser::Update& update : condenser_.updates()) {
+  for (const FrontEnd::Update& update : front_end_.updates()) {
     track.track_from_anchors.push_back(update.seen_from_robot);
   }
   return track;
@@ -261,10 +261,10 @@ Estimate GridSlam::estimate() const {
   } else {
     result.trajectory = carried_trajectory(track, path);
   }
-  result.untrusted_scans = condenser_.untrusted_scans();
-  result.lost = troubles_.lost();
+  result.untrusted_scans = front_end_.untrusted_scans();
+  result.lost = diagnostics_.lost();
   result.remarks = lasers_.remarks();
-  for (std::string& remark : troubles_.remarks()) result.remarks.push_back(std::move(remark));
+  for (std::string& remark : diagnostics_.remarks()) result.remarks.push_back(std::move(remark));
   const auto resamplings = std::count_if(updates_.begin(), updates_.end(),
                                          [](const Diversity& u) { return u.resampled; });
   result.remarks.push_back(

@@ -7,12 +7,12 @@
 #include "algorithms/estimator.h"
 #include "algorithms/field/surface_likelihood.h"
 #include "algorithms/field/surface_map.h"
+#include "algorithms/rbpf/front_end.h"
 #include "algorithms/rbpf/grid_slam_options.h"
+#include "algorithms/rbpf/input_diagnostics.h"
 #include "algorithms/rbpf/loop_closing.h"
 #include "algorithms/rbpf/particle.h"
-#include "algorithms/rbpf/recovery.h"
-#include "algorithms/rbpf/scan_condenser.h"
-#include "algorithms/rbpf/troubles.h"
+#include "algorithms/rbpf/relocalization.h"
 #include "algorithms/refinement/trajectory_refinement.h"
 #include "algorithms/scan/level_lasers.h"
 
@@ -43,7 +43,7 @@ class GridSlam : public Estimator {
   Hypotheses hypotheses() const override;
 
   // What the particles were told of their motion from an update to the last scan before the next
-  // one, by scan matching. The rest of the way is odometry's.
+  // one, by scan matching. The rest is odometry's.
   struct Motion {
     double from_time = 0.0, to_time = 0.0;  // [s]
     Pose2 motion;
@@ -56,8 +56,8 @@ class GridSlam : public Estimator {
   void start();
   void move_and_weight(Particle& particle, const ScanForWeighting& scan, const UpdateMotion& motion,
                        Rng& rng) const;
-  bool found_again(const ScanForWeighting& scan, const std::vector<double>& weights_before);
-  void begin_recovery(double since, const std::vector<double>& weights_before);
+  bool relocalized(const ScanForWeighting& scan, const std::vector<double>& weights_before);
+  void begin_relocalization(double since, const std::vector<double>& weights_before);
   void restart_at(const Pose2& found);
   std::vector<double> log_weights() const;
   void resample_where_needed();
@@ -76,14 +76,14 @@ class GridSlam : public Estimator {
   Pose2 start_;
   SurfaceLikelihood likelihood_;
   LevelLasers lasers_;
-  Troubles troubles_;
-  ScanCondenser condenser_;
+  InputDiagnostics diagnostics_;
+  FrontEnd front_end_;
   std::vector<Particle> particles_;
   std::vector<KeptHits> hits_;                     // for refinement, of each scan but updates
   std::vector<ScanForWeighting> weighting_scans_;  // of the updates
   std::vector<Diversity> updates_;                 // the ancestors are not counted
   LoopDetector loop_detector_;
-  std::optional<Recovery> recovery_;  // since a trouble
+  std::optional<Relocalization> relocalization_;  // since an interruption
   std::vector<Track::Break> breaks_;
 };
 

@@ -12,12 +12,12 @@ bool is_back(const std::vector<Pose2>& path, const LoopClosingOptions& options) 
   return false;
 }
 
-bool LoopDetector::closes(const std::vector<Pose2>& path, double explained) {
+bool LoopDetector::closes(const std::vector<Pose2>& path, double inlier_ratio) {
   if (!is_back(path, options_)) {
     knows_the_area_ = false;
     return false;
   }
-  if (knows_the_area_ || explained < options_.min_explained) return false;
+  if (knows_the_area_ || inlier_ratio < options_.min_inlier_ratio) return false;
   knows_the_area_ = true;
   return true;
 }

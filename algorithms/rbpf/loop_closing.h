@@ -11,9 +11,9 @@ namespace mapbed {
 // knows from one that it does not, and its scan fits there. Only the entry counts: as long as the
 // robot stays in known areas no further loop is closed.
 struct LoopClosingOptions {
-  double distance = 2.0;       // [m] from an earlier pose: the robot is back
-  double path_between = 15.0;  // [m] of path since that pose at least
-  double min_explained = 0.6;  // of the scan by the map, before the robot is sure
+  double distance = 2.0;          // [m] from an earlier pose: the robot is back
+  double path_between = 15.0;     // [m] of path since that pose at least
+  double min_inlier_ratio = 0.6;  // of the scan by the map, before the robot is sure
 };
 
 template <class Visitor>
@@ -21,8 +21,8 @@ void visit_fields(LoopClosingOptions& o, Visitor&& visit) {
   visit("distance", o.distance, Unit::meter, kPositive, "from an earlier pose: the robot is back");
   visit("path_between", o.path_between, Unit::meter, kPositive,
         "path driven since that pose at least");
-  visit("min_explained", o.min_explained, kShare,
-        "share of the scan that the map explains before the robot is sure");
+  visit("min_inlier_ratio", o.min_inlier_ratio, kShare,
+        "fraction of the scan that the map explains before the robot is sure");
 }
 
 // Whether the last pose of a path is back at an earlier one.
@@ -32,9 +32,9 @@ class LoopDetector {
  public:
   explicit LoopDetector(const LoopClosingOptions& options) : options_(options) {}
 
-  // To be asked at every update, with the path so far and the share of the newest scan that the map
-  // explains at its end. True where a loop is closed with this scan.
-  bool closes(const std::vector<Pose2>& path, double explained);
+  // To be asked at every update, with the path so far and the fraction of the newest scan that the
+  // map explains at its end. True where a loop is closed with this scan.
+  bool closes(const std::vector<Pose2>& path, double inlier_ratio);
 
  private:
   LoopClosingOptions options_;

@@ -18,13 +18,13 @@ std::vector<Pose2> path_through(const std::vector<Pose2>& corners) {
 }
 
 // The updates at which a loop is closed.
-std::vector<std::size_t> closings(const std::vector<Pose2>& path, double explained = 1.0) {
+std::vector<std::size_t> closings(const std::vector<Pose2>& path, double inlier_ratio = 1.0) {
   LoopDetector detector({.distance = 1.5, .path_between = 15.0});
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const std::vector<Pose2> so_far(path.begin(),
                                     path.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-    if (detector.closes(so_far, explained)) result.push_back(i);
+    if (detector.closes(so_far, inlier_ratio)) result.push_back(i);
   }
   return result;
 }

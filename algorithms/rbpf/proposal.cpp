@@ -25,9 +25,10 @@ PosePrior chained(const PosePrior& start, const PosePrior& step) {
 // A belief about the end of the last step, after the condensed motion to `before`.
 PosePrior prior_of_step(const Pose2& before, const UpdateMotion& motion,
                         const MotionErrors& errors) {
-  if (motion.step_refuted) {
-    return independent_prior(before * motion.step.value_or(Pose2{}), errors.refuted_way,
-                             errors.refuted_way, errors.refuted_turn);
+  if (motion.step_contradicted) {
+    return independent_prior(before * motion.step.value_or(Pose2{}),
+                             errors.contradicted_translation, errors.contradicted_translation,
+                             errors.contradicted_rotation);
   }
   return motion.step ? gaussian_after(before, *motion.step, errors.odometry)
                      : predict_blindly(before, {}, motion.seconds, errors.blind);

@@ -29,7 +29,7 @@ struct UpdateMotion {
   Pose2 guess;                // with the help of the update's scan
   // The scan fits nowhere near where the step ends, but elsewhere: wheels that spun, odometry that
   // missed a turn. What the step says then counts for nothing.
-  bool step_refuted = false;
+  bool step_contradicted = false;
 };
 
 // What the two parts of such a motion are worth.
@@ -37,9 +37,9 @@ struct MotionErrors {
   MotionModelOptions condensed;  // errors of matching
   MotionModelOptions odometry;
   MotionPriorOptions blind;  // a step without odometry
-  // Of a refuted step: anywhere in the window that was searched.
-  double refuted_way = 1.0;    // [m]
-  double refuted_turn = 3.15;  // [rad]
+  // Of a contradicted step: anywhere in the window that was searched.
+  double contradicted_translation = 1.0;  // [m]
+  double contradicted_rotation = 3.15;    // [rad]
 };
 
 // Where a particle is before the update's scan is looked at: after the condensed motion, whose

@@ -13,12 +13,15 @@ namespace {
 
 const Tolerance kExact{1e-9, 1e-9};
 const Pose2 kStart{2.0, -1.0, 0.7};
-const MotionErrors kErrors{
-    .condensed = {.turn_noise = 0.02, .turn_per_meter = 0.02, .way_per_meter = 0.02},
-    .odometry = {.turn_noise = 0.03, .turn_per_meter = 0.01, .way_per_meter = 0.04},
-    .blind = {},
-    .refuted_way = 1.0,
-    .refuted_turn = 3.15};
+const MotionErrors kErrors{.condensed = {.rotation_per_rotation = 0.02,
+                                         .rotation_per_meter = 0.02,
+                                         .translation_per_meter = 0.02},
+                           .odometry = {.rotation_per_rotation = 0.03,
+                                        .rotation_per_meter = 0.01,
+                                        .translation_per_meter = 0.04},
+                           .blind = {},
+                           .contradicted_translation = 1.0,
+                           .contradicted_rotation = 3.15};
 const UpdateMotion kMotion{.condensed = {0.5, 0.1, 0.6}, .step = Pose2{0.8, -0.2, -0.4}};
 
 // Of the errors about the mean, in its frame.
@@ -49,24 +52,24 @@ TEST(PriorAfter, IsAsWideAsBothPartsDrawnOneAfterTheOther) {
   const PosePrior prior = prior_after(kStart, kMotion, kErrors);
   const Eigen::Matrix3d root = prior.information.llt().matrixL();
   const Eigen::Matrix3d whitened = root.transpose() * covariance_of(ends, prior.mean) * root;
-  // Five times the spread of a variance of so many draws, sqrt(2 / n).
+  // Five times the sigma of a variance of so many draws, sqrt(2 / n).
   EXPECT_LT((whitened - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 0.07) << whitened;
 }
 
 TEST(PriorAfter, ARefutedStepMayHaveEndedAnywhereInTheWindow) {
   UpdateMotion motion = kMotion;
-  motion.step_refuted = true;
+  motion.step_contradicted = true;
   const PosePrior prior = prior_after(kStart, motion, kErrors);
   EXPECT_THAT(prior.mean, IsNear(kStart * motion.condensed * *motion.step, kExact));
   const Eigen::Matrix3d covariance = prior.information.inverse();
-  // Beside them the condensed motion's spreads, of some centimetres, do not count.
-  EXPECT_NEAR(std::sqrt(covariance(0, 0)), kErrors.refuted_way, 0.01);
-  EXPECT_NEAR(std::sqrt(covariance(1, 1)), kErrors.refuted_way, 0.01);
-  EXPECT_NEAR(std::sqrt(covariance(2, 2)), kErrors.refuted_turn, 0.01);
+  // Beside them the condensed motion's sigmas, of some centimetres, do not count.
+  EXPECT_NEAR(std::sqrt(covariance(0, 0)), kErrors.contradicted_translation, 0.01);
+  EXPECT_NEAR(std::sqrt(covariance(1, 1)), kErrors.contradicted_translation, 0.01);
+  EXPECT_NEAR(std::sqrt(covariance(2, 2)), kErrors.contradicted_rotation, 0.01);
 }
 
 TEST(PriorAfter, WithoutOdometryTheStepWidensWithTime) {
-  const auto spread_after = [](double seconds) {
+  const auto sigma_after = [](double seconds) {
     const UpdateMotion motion{.condensed = kMotion.condensed, .step = {}, .seconds = seconds};
     const PosePrior prior = prior_after(kStart, motion, kErrors);
     EXPECT_THAT(prior.mean, IsNear(kStart * motion.condensed, kExact));
@@ -75,8 +78,8 @@ TEST(PriorAfter, WithoutOdometryTheStepWidensWithTime) {
     return std::sqrt((Eigen::Matrix3d(prior.information.inverse()) - before)(0, 0));
   };
   const MotionPriorOptions& blind = kErrors.blind;
-  EXPECT_NEAR(spread_after(1.0), blind.position_sigma + blind.speed_sigma, 1e-6);
-  EXPECT_NEAR(spread_after(3.0), blind.position_sigma + 3.0 * blind.speed_sigma, 1e-6);
+  EXPECT_NEAR(sigma_after(1.0), blind.position_sigma + blind.speed_sigma, 1e-6);
+  EXPECT_NEAR(sigma_after(3.0), blind.position_sigma + 3.0 * blind.speed_sigma, 1e-6);
 }
 
 TEST(DrawnFrom, ErrsInTheFrameOfTheMean) {

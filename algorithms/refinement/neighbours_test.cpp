@@ -25,7 +25,7 @@ class RefinementBetweenNeighbours : public ::testing::Test {
 
 TEST_F(RefinementBetweenNeighbours, APoseLiesBetweenWhatThoseBeforeAndAfterSay) {
   const RefinedPath path = refined_once();
-  // Both say it with the same spread: (1, 0) from before, (1, 0.3) from after.
+  // Both say it with the same sigma: (1, 0) from before, (1, 0.3) from after.
   EXPECT_NEAR(path.poses[1].x, 1.0, 0.03);
   EXPECT_NEAR(path.poses[1].y, 0.15, 0.01);
 }

@@ -30,7 +30,7 @@ void visit_fields(RefinementOptions& o, Visitor&& visit) {
   visit("rounds", o.rounds, at_least(0), "how often all scans are matched");
   visit("resolution", o.resolution, Unit::meter, between(0.01, 2.0),
         "cells of the map they are matched in");
-  visit("sigma", o.sigma, Unit::meter, kPositive, "spread of end points about the mapped surface");
+  visit("sigma", o.sigma, Unit::meter, kPositive, "sigma of end points about the mapped surface");
 }
 
 // A place of the path, what was seen there, and the motion from the place before.

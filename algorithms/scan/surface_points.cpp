@@ -13,7 +13,7 @@ namespace {
 constexpr double kMaxArcs = 10.0;
 constexpr double kLineReach = 0.2;  // [m] of the hits that make a line, to either side
 constexpr double kLineFlatness =
-    0.03;  // a line's spread across it, as a share of that along it, at most
+    0.03;  // a line's spread across it, as a fraction of that along it, at most
 
 constexpr double kSameDirection = 0.985;  // cos(10 deg): at twice the angle, so within 5 degrees
 

@@ -92,7 +92,7 @@ class CorrelativeSearch {
         prior_bound_(prediction),
         lattice_(lattice),
         limits_(limits),
-        floor_(double{map.floor()} * static_cast<double>(points.size())),
+        floor_(double{map.outlier_log()} * static_cast<double>(points.size())),
         best_(limits.above) {
     for (int turn = -lattice.turns; turn <= lattice.turns; ++turn) rotate(turn);
   }
@@ -209,12 +209,13 @@ class CorrelativeSearch {
 };
 
 ScanMatch match_at(const Pose2& pose, const FieldPoints& points, const LikelihoodField& map,
-                   const PosePrior& prediction, double min_explained) {
+                   const PosePrior& prediction, double min_inlier_ratio) {
   ScanMatch match{.map_from_robot = pose, .points_used = static_cast<int>(points.size())};
   match.log_likelihood = map.sum_log_at(points, pose);
   match.log_posterior = match.log_likelihood + prediction.log_at(pose);
-  match.explained = 1.0 - match.log_likelihood / (double{map.floor()} * match.points_used);
-  match.trustworthy = match.explained >= min_explained;
+  match.inlier_ratio =
+      inlier_ratio(match.log_likelihood, double{map.outlier_log()} * match.points_used);
+  match.trustworthy = match.inlier_ratio >= min_inlier_ratio;
   return match;
 }
 
@@ -236,7 +237,7 @@ LimitedSearch best_match_within(const FieldPoints& points, const LikelihoodField
   CorrelativeSearch search(points, map, pyramid, prediction, lattice, limits);
   const std::optional<Pose2> best = search.search();
   LimitedSearch result{.match = {}, .complete = !search.gave_up()};
-  if (best) result.match = match_at(*best, points, map, prediction, options.min_explained);
+  if (best) result.match = match_at(*best, points, map, prediction, options.min_inlier_ratio);
   return result;
 }
 
@@ -264,7 +265,7 @@ ScanMatch match_exhaustive(const FieldPoints& points, const LikelihoodField& map
       }
     }
   }
-  return match_at(best, points, map, prediction, options.min_explained);
+  return match_at(best, points, map, prediction, options.min_inlier_ratio);
 }
 
 }  // namespace mapbed

@@ -16,10 +16,10 @@ namespace mapbed {
 // the score that hill climbing uses (2.19). It is the global optimum on that lattice; climb from it
 // for the rest.
 struct CorrelativeMatcherOptions {
-  double window = 0.6;         // [m] shifts of up to this, along both axes of the map
-  double turn_window = 0.6;    // [rad] turns of up to this
-  double turn_step = 0.0;      // [rad] 0: the far points of the scan move by about one cell
-  double min_explained = 0.4;  // a match that explains less of the scan is not trusted
+  double window = 0.6;            // [m] shifts of up to this, along both axes of the map
+  double turn_window = 0.6;       // [rad] turns of up to this
+  double turn_step = 0.0;         // [rad] 0: the far points of the scan move by about one cell
+  double min_inlier_ratio = 0.4;  // a match that explains less of the scan is not trusted
 };
 
 template <class Visitor>
@@ -29,8 +29,8 @@ void visit_fields(CorrelativeMatcherOptions& o, Visitor&& visit) {
   visit("turn_window", o.turn_window, Unit::radian, kNotNegative, "turns of up to this");
   visit("turn_step", o.turn_step, Unit::radian, kNotNegative,
         "between tried turns; 0: far points move by one cell");
-  visit("min_explained", o.min_explained, kShare,
-        "share of the scan that a trusted match explains");
+  visit("min_inlier_ratio", o.min_inlier_ratio, kShare,
+        "fraction of the scan that a trusted match explains");
 }
 
 // `points` as made by to_field_points(…, map.resolution()); `pyramid` of the same map.

@@ -90,7 +90,7 @@ ScanMatch match_icp(const std::vector<Eigen::Vector2d>& points_in_robot, const I
       g += weight * residual * gradient;
       cost += 0.5 * std::log1p(residual * residual);
     }
-    match.explained = static_cast<double>(paired) / static_cast<double>(points_in_robot.size());
+    match.inlier_ratio = static_cast<double>(paired) / static_cast<double>(points_in_robot.size());
     match.log_likelihood = -cost;
     match.log_posterior = -cost + prediction.log_at(match.map_from_robot);
     const Eigen::Vector3d step = (h + 1e-9 * Eigen::Matrix3d::Identity()).ldlt().solve(-g);
@@ -98,7 +98,7 @@ ScanMatch match_icp(const std::vector<Eigen::Vector2d>& points_in_robot, const I
         match.map_from_robot * Pose2{step.x(), step.y(), normalized_angle(step.z())};
     if (step.cwiseAbs().maxCoeff() < options.last_step) break;
   }
-  match.trustworthy = match.explained >= options.min_paired;
+  match.trustworthy = match.inlier_ratio >= options.min_paired;
   return match;
 }
 

@@ -21,17 +21,17 @@ struct IcpMatcherOptions {
   double max_distance = 0.5;  // [m] of a pair
   double sigma = 0.03;        // [m] of the distance between a point and its line
   double last_step = 0.0005;  // [m] and [rad] stop when a step is smaller
-  double min_paired = 0.5;    // a match that pairs a smaller share of the points is not trusted
+  double min_paired = 0.5;    // a match that pairs a smaller fraction of the points is not trusted
 };
 
 template <class Visitor>
 void visit_fields(IcpMatcherOptions& o, Visitor&& visit) {
   visit("max_iterations", o.max_iterations, at_least(1), "iterations at most");
   visit("max_distance", o.max_distance, Unit::meter, kPositive, "between the points of a pair");
-  visit("sigma", o.sigma, Unit::meter, kPositive, "spread of points about their lines");
+  visit("sigma", o.sigma, Unit::meter, kPositive, "sigma of points about their lines");
   visit("last_step", o.last_step, Unit::meter, kPositive,
         "the iteration ends with a smaller step [m, rad]");
-  visit("min_paired", o.min_paired, kShare, "share of the points that a trusted match pairs");
+  visit("min_paired", o.min_paired, kShare, "fraction of the points that a trusted match pairs");
 }
 
 // Map points with the normals of the lines through them, and a tree to find the nearest.
@@ -54,8 +54,8 @@ class IcpMap {
   std::unique_ptr<Tree> tree_;
 };
 
-// log_posterior and explained (share of paired points) are ICP's own and do not compare with those
-// of the likelihood field.
+// log_posterior and inlier_ratio (fraction of paired points) are ICP's own and do not compare with
+// those of the likelihood field.
 ScanMatch match_icp(const std::vector<Eigen::Vector2d>& points_in_robot, const IcpMap& map,
                     const PosePrior& prediction, const IcpMatcherOptions& options = {});
 

@@ -93,7 +93,7 @@ ScanMatch IncrementalMatcher::aligned(const std::vector<Eigen::Vector2d>& points
   ScanMatch match;
   if (options_.alignment == Alignment::hill_climbing) {
     match = match_scan(in_cells, field_, prior, options_.climb);
-    const bool convincing = match.trustworthy && match.explained >= options_.search_below;
+    const bool convincing = match.trustworthy && match.inlier_ratio >= options_.search_below;
     if (convincing && !blind) return match;
   }
   const Pose2 start =
@@ -102,21 +102,22 @@ ScanMatch IncrementalMatcher::aligned(const std::vector<Eigen::Vector2d>& points
   // Beams err together, so a slightly better sum is no reason to leave the optimum next to where
   // odometry has the robot.
   const bool clearly =
-      blind || !match.trustworthy || searched.explained >= match.explained + kClearlyMore;
+      blind || !match.trustworthy || searched.inlier_ratio >= match.inlier_ratio + kClearlyMore;
   const bool better = searched.log_posterior > match.log_posterior && clearly;
   if (match.points_used == 0 || better) match = searched;
-  return match.trustworthy ? match : recovered(in_cells, match);
+  return match.trustworthy ? match : searched_widely(in_cells, match);
 }
 
 // The best match of the wider search if it explains enough, else `match`.
-ScanMatch IncrementalMatcher::recovered(const FieldPoints& points, const ScanMatch& match) const {
+ScanMatch IncrementalMatcher::searched_widely(const FieldPoints& points,
+                                              const ScanMatch& match) const {
   const PosePrior anywhere{.mean = match.map_from_robot};
-  const BoundPyramid wide = make_bound_pyramid(field_, options_.recovery.window);
-  const ScanMatch found = match_correlative(points, field_, wide, anywhere, options_.recovery);
+  const BoundPyramid wide = make_bound_pyramid(field_, options_.wide_search.window);
+  const ScanMatch found = match_correlative(points, field_, wide, anywhere, options_.wide_search);
   ScanMatch refined =
       match_scan_from(found.map_from_robot, points, field_, anywhere, options_.climb);
-  refined.refutes_prediction = true;
-  return refined.explained >= options_.recovery.min_explained ? refined : match;
+  refined.contradicts_prediction = true;
+  return refined.inlier_ratio >= options_.wide_search.min_inlier_ratio ? refined : match;
 }
 
 const BoundPyramid& IncrementalMatcher::pyramid() {

@@ -31,7 +31,8 @@ struct IncrementalMatcherOptions {
   MotionPriorOptions motion;
   ScanMatcherOptions climb;
   CorrelativeMatcherOptions search;
-  CorrelativeMatcherOptions recovery{.window = 1.0, .turn_window = 3.15, .min_explained = 0.65};
+  CorrelativeMatcherOptions wide_search{
+      .window = 1.0, .turn_window = 3.15, .min_inlier_ratio = 0.65};
   IcpMatcherOptions icp;
 };
 
@@ -41,14 +42,14 @@ void visit_fields(IncrementalMatcherOptions& o, Visitor&& visit) {
         "how a scan is aligned with the local map");
   visit("use_odometry", o.use_odometry, "false: predict from the last motion alone");
   visit("search_below", o.search_below, kShare,
-        "hill climbing that explains a smaller share of the scan is checked by a search");
+        "hill climbing that explains a smaller fraction of the scan is checked by a search");
   visit("points", o.points, "which points of a scan are matched");
   visit("local_map", o.local_map, "which past scans are matched against");
   visit("field", o.field, "the smoothed local map");
   visit("motion", o.motion, "what the prediction is worth");
   visit("climb", o.climb, "hill climbing");
   visit("search", o.search, "correlative search");
-  visit("recovery", o.recovery,
+  visit("wide_search", o.wide_search,
         "search without regard to the prediction, after an untrusted match");
   visit("icp", o.icp, "point-to-line ICP");
 }
@@ -94,7 +95,7 @@ class IncrementalMatcher : public Estimator {
   ScanMatch aligned(const std::vector<Eigen::Vector2d>& points, const PosePrior& prior, bool blind);
   void remember(const LaserScan& scan);
   void forget_oldest(std::size_t count);
-  ScanMatch recovered(const FieldPoints& points, const ScanMatch& match) const;
+  ScanMatch searched_widely(const FieldPoints& points, const ScanMatch& match) const;
   const BoundPyramid& pyramid();
 
   IncrementalMatcherOptions options_;

@@ -93,8 +93,9 @@ ScanMatch match_scan_from(const Pose2& start, const FieldPoints& points, const L
   }
 
   best.log_likelihood = map.sum_log_at(points, best.map_from_robot);
-  best.explained = 1.0 - best.log_likelihood / (double{map.floor()} * best.points_used);
-  best.trustworthy = best.explained >= options.min_explained;
+  best.inlier_ratio =
+      inlier_ratio(best.log_likelihood, double{map.outlier_log()} * best.points_used);
+  best.trustworthy = best.inlier_ratio >= options.min_inlier_ratio;
   return best;
 }
 

@@ -13,11 +13,11 @@ namespace mapbed {
 // from the predicted pose, one step or turn at a time; the step is halved when no neighbour is
 // better. Finds the nearest optimum only. For large start errors see correlative_matcher.h.
 struct ScanMatcherOptions {
-  double first_step = 0.1;      // [m]
-  double last_step = 0.02;      // [m] stop when the step would get smaller
-  int polish_iterations = 4;    // of Gauss-Newton at the end
-  double turn_per_meter = 0.5;  // [rad/m] couples the size of turns to that of steps
-  double min_explained = 0.4;   // a match that explains less of the scan is not trusted
+  double first_step = 0.1;        // [m]
+  double last_step = 0.02;        // [m] stop when the step would get smaller
+  int polish_iterations = 4;      // of Gauss-Newton at the end
+  double turn_per_meter = 0.5;    // [rad/m] couples the size of turns to that of steps
+  double min_inlier_ratio = 0.4;  // a match that explains less of the scan is not trusted
 };
 
 template <class Visitor>
@@ -29,18 +29,18 @@ void visit_fields(ScanMatcherOptions& o, Visitor&& visit) {
         "Gauss-Newton iterations at the end");
   visit("turn_per_meter", o.turn_per_meter, Unit::radian_per_meter, kPositive,
         "size of turns beside that of steps");
-  visit("min_explained", o.min_explained, kShare,
-        "share of the scan that a trusted match explains");
+  visit("min_inlier_ratio", o.min_inlier_ratio, kShare,
+        "fraction of the scan that a trusted match explains");
 }
 
 struct ScanMatch {
   Pose2 map_from_robot;         // the prediction's mean where points_used is 0
   double log_posterior = 0.0;   // up to a constant, at map_from_robot
   double log_likelihood = 0.0;  // of the points alone
-  double explained = 0.0;  // 1: all points lie on the map, 0: none does; by mean log-likelihood
+  double inlier_ratio = 0.0;  // 1: all points lie on the map, 0: none does; by mean log-likelihood
   int points_used = 0;
-  bool trustworthy = false;         // false: the caller should keep the prediction
-  bool refutes_prediction = false;  // found without regard to it, as nothing near it fitted
+  bool trustworthy = false;             // false: the caller should keep the prediction
+  bool contradicts_prediction = false;  // found without regard to it, as nothing near it fitted
 };
 
 // `points` as made by to_field_points(…, map.resolution()).

@@ -54,7 +54,7 @@ TEST(ScanMatcher, DoesNotTrustAMatchThatExplainsLittle) {
   const LikelihoodField elsewhere = field_of(l_shaped_room(), {50.0, 50.0, 0.0});
   const ScanMatch match =
       match_scan(points_of(scan_of(room, {}), elsewhere), elsewhere, PosePrior{});
-  EXPECT_LT(match.explained, 0.1);
+  EXPECT_LT(match.inlier_ratio, 0.1);
   EXPECT_FALSE(match.trustworthy);
 }
 

@@ -105,15 +105,15 @@ std::vector<MotionSample> part_of(const std::vector<MotionSample>& samples, bool
 }
 
 void report_model(const std::string& name, const MotionModelOptions& m, RunOutcome& outcome) {
-  for (const auto& [parameter, value] :
-       std::vector<std::pair<std::string, double>>{{"turn_noise", m.turn_noise},
-                                                   {"turn_per_meter", m.turn_per_meter},
-                                                   {"way_per_meter", m.way_per_meter},
-                                                   {"way_per_turn", m.way_per_turn},
-                                                   {"floor_turn", m.floor_turn},
-                                                   {"floor_way", m.floor_way},
-                                                   {"turn_bias", m.turn_bias},
-                                                   {"way_bias", m.way_bias}}) {
+  for (const auto& [parameter, value] : std::vector<std::pair<std::string, double>>{
+           {"rotation_per_rotation", m.rotation_per_rotation},
+           {"rotation_per_meter", m.rotation_per_meter},
+           {"translation_per_meter", m.translation_per_meter},
+           {"translation_per_rotation", m.translation_per_rotation},
+           {"least_rotation_sigma", m.least_rotation_sigma},
+           {"least_translation_sigma", m.least_translation_sigma},
+           {"rotation_bias", m.rotation_bias},
+           {"translation_bias", m.translation_bias}}) {
     outcome.values.emplace_back(name + "_" + parameter, value);
   }
 }
@@ -121,9 +121,9 @@ void report_model(const std::string& name, const MotionModelOptions& m, RunOutco
 void report_calibration(const std::string& name, const std::vector<MotionSample>& held_out,
                         const MotionModelOptions& model, RunOutcome& outcome) {
   const Calibration calibration = calibration_of(held_out, model);
-  outcome.values.emplace_back(name + "_normalized_error", calibration.normalized_error);
-  outcome.values.emplace_back(name + "_inside", calibration.inside);
-  outcome.values.emplace_back(name + "_error_memory", error_memory_of(held_out, model));
+  outcome.values.emplace_back(name + "_nees", calibration.nees);
+  outcome.values.emplace_back(name + "_coverage", calibration.coverage);
+  outcome.values.emplace_back(name + "_autocorrelation", autocorrelation_of(held_out, model));
 }
 
 // Learns, and checks on the held-out half; the model of the parameter file as well.
@@ -213,20 +213,21 @@ void add_metrics(const std::string& name, const std::string& what, std::vector<M
     metrics.push_back({name + "_" + suffix, unit, about + ", " + what});
   };
   add("cloud_area", Unit::none, "[m^2] of the 95 % ellipse of x and y after the last move");
-  add("normalized_error", Unit::none, "mean squared error on held-out motions by the model's own");
-  add("inside", Unit::none, "fraction of held-out motions within the model's 95 % ellipsoid");
-  add("error_memory", Unit::none, "correlation of the errors of successive held-out motions");
-  add("file_error_memory", Unit::none, "the correlation, by the parameter file");
-  add("file_normalized_error", Unit::none, "the mean squared error, by the parameter file");
-  add("file_inside", Unit::none, "the fraction inside, by the parameter file");
-  add("turn_noise", Unit::radian, "learned spread of a turn after 1 rad");
-  add("turn_per_meter", Unit::radian, "learned spread of a turn after 1 m");
-  add("way_per_meter", Unit::meter, "learned spread of the way after 1 m");
-  add("way_per_turn", Unit::meter, "learned spread of the way after 1 rad");
-  add("floor_turn", Unit::radian, "learned least spread of a turn");
-  add("floor_way", Unit::meter, "learned least spread of the way");
-  add("turn_bias", Unit::none, "learned mean error of turns, as a fraction");
-  add("way_bias", Unit::none, "learned mean error of ways, as a fraction");
+  add("nees", Unit::none,
+      "mean normalised error squared (NEES) of held-out motions by their degrees of freedom");
+  add("coverage", Unit::none, "fraction of held-out motions within the model's 95 % ellipsoid");
+  add("autocorrelation", Unit::none, "of the errors of successive held-out motions");
+  add("file_autocorrelation", Unit::none, "the same by the parameter file");
+  add("file_nees", Unit::none, "the NEES by the parameter file");
+  add("file_coverage", Unit::none, "the coverage by the parameter file");
+  add("rotation_per_rotation", Unit::radian, "learned sigma of a rotation after 1 rad");
+  add("rotation_per_meter", Unit::radian, "learned sigma of a rotation after 1 m");
+  add("translation_per_meter", Unit::meter, "learned sigma of the translation after 1 m");
+  add("translation_per_rotation", Unit::meter, "learned sigma of the translation after 1 rad");
+  add("least_rotation_sigma", Unit::radian, "learned least sigma of a rotation");
+  add("least_translation_sigma", Unit::meter, "learned least sigma of the translation");
+  add("rotation_bias", Unit::none, "learned mean error of rotations, as a fraction");
+  add("translation_bias", Unit::none, "learned mean error of translations, as a fraction");
 }
 
 }  // namespace

@@ -7,6 +7,40 @@ namespace {
 
 constexpr RenamedOption kRenamed[] = {
     {"settling", "refinement"},
+    {"troubles", "input_diagnostics"},
+    {"recovery", "wide_search"},
+    {"hit_share", "inlier_ratio"},
+    {"min_explained", "min_inlier_ratio"},
+    {"turn_noise", "rotation_per_rotation"},
+    {"turn_per_meter", "rotation_per_meter"},
+    {"way_per_meter", "translation_per_meter"},
+    {"way_per_turn", "translation_per_rotation"},
+    {"floor_turn", "least_rotation_sigma"},
+    {"floor_way", "least_translation_sigma"},
+    {"turn_bias", "rotation_bias"},
+    {"way_bias", "translation_bias"},
+};
+
+constexpr char kMatchersOwn[] = "try such values with the method scan_matching, where it is one";
+constexpr char kFoundOnce[] = "its value was found once and is the same for all; leave it out";
+constexpr FixedOption kFixed[] = {
+    {"matcher.search_below", kMatchersOwn},
+    {"matcher.points", kMatchersOwn},
+    {"matcher.field", kMatchersOwn},
+    {"matcher.motion", kMatchersOwn},
+    {"matcher.climb", kMatchersOwn},
+    {"matcher.search", kMatchersOwn},
+    {"matcher.recovery", kMatchersOwn},
+    {"matcher.icp", kMatchersOwn},
+    {"relocalization.scans", kFoundOnce},
+    {"relocalization.max_points", kFoundOnce},
+    {"relocalization.beam_weight", kFoundOnce},
+    {"relocalization.rival_distance", kFoundOnce},
+    {"relocalization.rival_turn", kFoundOnce},
+    {"relocalization.max_blocks", kFoundOnce},
+    {"relocalization.beyond_path", kFoundOnce},
+    {"relocalization.field", kFoundOnce},
+    {"troubles.standing", kFoundOnce},
 };
 
 // Where `part` stands in `path` with dots or nothing around it; npos where it does not.
@@ -41,6 +75,10 @@ std::optional<std::string> renaming_of(std::string_view path, std::string_view c
   const auto message = [](std::string_view old_path, const std::string& new_path) {
     return in_quotes(old_path) + " is now " + in_quotes(new_path);
   };
+  for (const FixedOption& row : kFixed) {
+    if (find_part(path, row.old_path) == path.npos) continue;
+    return in_quotes(path) + " is no option any more; " + std::string(row.remedy);
+  }
   if (const auto now = new_path_of(path)) return message(path, *now);
   if (context.empty()) return {};
   const std::string whole = std::string(context) + "." + std::string(path);

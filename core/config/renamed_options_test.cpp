@@ -65,5 +65,11 @@ TEST(RenamedOptions, AnOldNameIsRefusedWithTheNewOne) {
                      "robots/x.yaml:3: 'robot.settling' is now 'robot.refinement'");
 }
 
+TEST(FixedOptions, AreRefusedWithWhatToDo) {
+  EXPECT_EQ(renaming_of("matcher.climb.first_step", "rbpf"),
+            "'matcher.climb.first_step' is no option any more; try such values with the method "
+            "scan_matching, where it is one");
+}
+
 }  // namespace
 }  // namespace mapbed

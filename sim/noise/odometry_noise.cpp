@@ -4,44 +4,33 @@
 #include <cmath>
 
 #include "core/geometry/angle.h"
+#include "core/geometry/rotation_translation_rotation.h"
 
 namespace mapbed {
 namespace {
 
 constexpr double kStandingStill = 1e-6;  // [m] less has no direction
 
-struct Steps {
-  double alpha = 0.0;  // [rad] start turn
-  double d = 0.0;      // [m] negative: backwards
-  double beta = 0.0;   // [rad] end turn
-};
-
-Steps steps_of(const Pose2& motion) {
-  const double way = std::hypot(motion.x, motion.y);
-  if (way < kStandingStill) return {0.0, 0.0, motion.theta};
-  const double sign = motion.x >= 0.0 ? 1.0 : -1.0;
-  const double alpha = std::atan2(sign * motion.y, sign * motion.x);
-  return {alpha, sign * way, angle_difference(alpha, motion.theta)};
-}
-
-Pose2 motion_of(const Steps& steps) {
-  return {steps.d * std::cos(steps.alpha), steps.d * std::sin(steps.alpha),
-          normalized_angle(steps.alpha + steps.beta)};
+// What is no drive at all is one rotation.
+RotationTranslationRotation parts_of(const Pose2& motion) {
+  if (std::hypot(motion.x, motion.y) < kStandingStill) return {0.0, 0.0, motion.theta};
+  return decomposed(motion, kStandingStill);
 }
 
 Pose2 noisy_motion(const Pose2& motion, const OdometryModel& m, Rng rng) {
-  Steps s = steps_of(motion);
-  const double way = std::abs(s.d);
+  RotationTranslationRotation s = parts_of(motion);
+  const double way = std::abs(s.translation);
   const double turn = angle_difference(0.0, motion.theta);
   const double root = std::sqrt(way);
   const double end_sigma =
       std::sqrt(m.end_turn_per_meter * m.end_turn_per_meter * way +
                 m.end_turn_per_radian * m.end_turn_per_radian * std::abs(turn));
-  s.alpha += m.start_turn_bias * s.d + m.start_turn_per_meter * root * rng.normal();
-  s.d += m.distance_bias * s.d + m.distance_per_meter * root * rng.normal();
-  s.beta += m.end_turn_bias * turn + end_sigma * rng.normal();
+  s.first_rotation +=
+      m.start_turn_bias * s.translation + m.start_turn_per_meter * root * rng.normal();
+  s.translation += m.distance_bias * s.translation + m.distance_per_meter * root * rng.normal();
+  s.second_rotation += m.end_turn_bias * turn + end_sigma * rng.normal();
 
-  Pose2 noisy = motion_of(s);
+  Pose2 noisy = composed(s);
   noisy.x += m.translation_sigma * rng.normal();
   noisy.y += m.translation_sigma * rng.normal();
   noisy.theta = normalized_angle(noisy.theta + m.rotation_sigma * rng.normal());

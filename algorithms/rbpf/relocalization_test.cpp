@@ -1,4 +1,4 @@
-#include "algorithms/rbpf/recovery.h"
+#include "algorithms/rbpf/relocalization.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kResolution = 0.1;  // [m] of particles' maps
 const TestLaser kLaser{.beams = 361, .first_bearing = -kPi, .max_range = 10.0};
-const Pose2 kNotThere{-3.0, -2.0, 0.0};  // where the filter has the robot after the trouble
+const Pose2 kNotThere{-3.0, -2.0, 0.0};  // where the filter has the robot after the interruption
 const Tolerance kCell{0.05, 0.02};       // half a cell of the maps that are searched
 
 // A furnished room is known from three updates; then the robot is carried to `kFirst` and drives
@@ -40,52 +40,52 @@ class CarriedRobot : public ::testing::Test {
                                         {.min_spacing = 0.1, .max_points = 90}, {}, kResolution));
     updates_.push_back({.seen_from_robot = seen_from_robot});
   }
-  Recovery recovery(const RelocalizationOptions& options = {}) const {
-    return Recovery(kSince, before_, view(), options);
+  Relocalization relocalization(const RelocalizationOptions& options = {}) const {
+    return Relocalization(kSince, before_, view(), options);
   }
-  Recovery::Updates view() const { return {scans_, updates_}; }
+  Relocalization::Updates view() const { return {scans_, updates_}; }
 
   std::vector<ScanForWeighting> scans_;
-  std::vector<ScanCondenser::Update> updates_;
+  std::vector<FrontEnd::Update> updates_;
   std::vector<Particle> before_;
 };
 
 TEST_F(CarriedRobot, IsElsewhereOnceTwoUpdatesRunningAgree) {
-  Recovery recovery = this->recovery();
+  Relocalization relocalization = this->relocalization();
   sees(kFirst, kNotThere);
-  const PlaceSearch::Answer once = recovery.find(view(), kNotThere);
-  EXPECT_FALSE(once.is_here);
-  EXPECT_FALSE(once.elsewhere);
+  const GlobalLocalizer::Answer once = relocalization.find(view(), kNotThere);
+  EXPECT_FALSE(once.confirmed);
+  EXPECT_FALSE(once.relocated_to);
   sees(kFirst * kOn, kNotThere * kOn);
-  const PlaceSearch::Answer twice = recovery.find(view(), kNotThere * kOn);
-  ASSERT_TRUE(twice.elsewhere);
-  EXPECT_THAT(*twice.elsewhere, IsNear(kFirst * kOn, kCell));
+  const GlobalLocalizer::Answer twice = relocalization.find(view(), kNotThere * kOn);
+  ASSERT_TRUE(twice.relocated_to);
+  EXPECT_THAT(*twice.relocated_to, IsNear(kFirst * kOn, kCell));
 }
 
 TEST_F(CarriedRobot, IsNotBelievedWhereTheMotionBetweenSaysOtherwise) {
-  Recovery recovery = this->recovery();
+  Relocalization relocalization = this->relocalization();
   sees(kFirst, kNotThere);
-  recovery.find(view(), kNotThere);
+  relocalization.find(view(), kNotThere);
   sees({-2.4, 1.1, -1.0}, kNotThere * kOn);  // that is not one step on
-  EXPECT_FALSE(recovery.find(view(), kNotThere * kOn).elsewhere);
+  EXPECT_FALSE(relocalization.find(view(), kNotThere * kOn).relocated_to);
 }
 
 TEST_F(CarriedRobot, IsSoughtForSoManyUpdates) {
-  const Recovery recovery = this->recovery({.max_updates = 2});
-  EXPECT_EQ(recovery.first_update(), kBefore.size());
+  const Relocalization relocalization = this->relocalization({.max_updates = 2});
+  EXPECT_EQ(relocalization.first_update(), kBefore.size());
   sees(kFirst, kNotThere);
-  EXPECT_FALSE(recovery.gives_up(view()));
+  EXPECT_FALSE(relocalization.gives_up(view()));
   sees(kFirst * kOn, kNotThere * kOn);
-  EXPECT_TRUE(recovery.gives_up(view()));
+  EXPECT_TRUE(relocalization.gives_up(view()));
 }
 
 TEST_F(CarriedRobot, StartsAgainInTheMapOfBeforeWithAllThatItSawSince) {
-  const Recovery recovery = this->recovery();
+  const Relocalization relocalization = this->relocalization();
   sees(kFirst, kNotThere);
   sees(kFirst * kOn, kNotThere * kOn);
   const Pose2 found = kFirst * kOn * Pose2{0.05, -0.05, 0.03};
   const std::vector<Particle> particles =
-      recovery.restarted(found, view(), SurfaceLikelihood{}, {}, Rng(1));
+      relocalization.restarted(found, view(), SurfaceLikelihood{}, {}, Rng(1));
   ASSERT_EQ(particles.size(), before_.size());
   for (const Particle& particle : particles) {
     EXPECT_THAT(particle.pose, IsNear(kFirst * kOn, kCell));
@@ -97,10 +97,10 @@ TEST_F(CarriedRobot, StartsAgainInTheMapOfBeforeWithAllThatItSawSince) {
   }
 }
 
-// What the robot sees beside a wall that stands since, from where it was first after the trouble:
-// only that scan has it, so only a map with that scan explains it.
+// What the robot sees beside a wall that stands since, from where it was first after the
+// interruption: only that scan has it, so only a map with that scan explains it.
 TEST_F(CarriedRobot, EntersIntoTheMapsAllScansSinceButTheNewest) {
-  const Recovery recovery = this->recovery();
+  const Relocalization relocalization = this->relocalization();
   sees(kFirst, kNotThere);
   sees(kFirst * kOn, kNotThere * kOn);
   const auto with_mark = [](ScanForWeighting& scan, const Eigen::Vector2d& at) {
@@ -110,7 +110,7 @@ TEST_F(CarriedRobot, EntersIntoTheMapsAllScansSinceButTheNewest) {
   with_mark(scans_[3], mark);
   with_mark(scans_[4], -mark);
   const Particle particle =
-      recovery.restarted(kFirst * kOn, view(), SurfaceLikelihood{}, {}, Rng(1)).front();
+      relocalization.restarted(kFirst * kOn, view(), SurfaceLikelihood{}, {}, Rng(1)).front();
   const std::vector<Pose2> path = path_of(*particle.history);
   EXPECT_TRUE(particle.map.nearest(path[3] * mark).found);
   EXPECT_FALSE(particle.map.nearest(path[4] * Eigen::Vector2d(-mark)).found);
@@ -127,10 +127,10 @@ TEST_F(CarriedRobot, StartsAgainInEachParticlesOwnMap) {
   }
   other.log_weight = -1.0;  // not the best one, whose map is searched
   before_.push_back(other);
-  const Recovery recovery = this->recovery();
+  const Relocalization relocalization = this->relocalization();
   sees(kFirst, kNotThere);
   const std::vector<Particle> particles =
-      recovery.restarted(kFirst, view(), SurfaceLikelihood{}, {}, Rng(1));
+      relocalization.restarted(kFirst, view(), SurfaceLikelihood{}, {}, Rng(1));
   EXPECT_THAT(particles.front().pose, IsNear(kFirst, kCell));
   EXPECT_THAT(particles.back().pose, IsNear(elsewhere * kFirst, kCell));
 }

@@ -11,8 +11,8 @@
 
 namespace mapbed {
 
-// When a filter says that its input or itself is in trouble.
-struct TroubleOptions {
+// When a filter says that its input or itself failed.
+struct InputDiagnosticsOptions {
   double max_speed = 10.0;      // [m/s] odometry that goes faster has jumped
   double max_turn_rate = 10.0;  // [rad/s] the same
   double max_pause = 5.0;       // [s] between scans, where the robot did not just stand still
@@ -21,30 +21,25 @@ struct TroubleOptions {
 };
 
 template <class Visitor>
-void visit_fields(TroubleOptions& o, Visitor&& visit) {
+void visit_fields(InputDiagnosticsOptions& o, Visitor&& visit) {
   visit("max_speed", o.max_speed, Unit::meter_per_second, kPositive,
         "odometry that goes faster has jumped: that step counts as standing still");
   visit("max_turn_rate", o.max_turn_rate, Unit::radian_per_second, kPositive,
         "odometry that turns faster has jumped");
   visit("max_pause", o.max_pause, Unit::second, kPositive, "longer ones between scans are told");
-  visit("standing", o.standing, kNotNegative, "metres or radians up to which it stood still then");
   visit("lost_below", o.lost_below, kShare,
-        "share of an update's scan that the best map explains where the robot is lost, at most");
+        "fraction of an update's scan that the best map explains where the robot is lost, at most");
 }
 
-// Stretches of time in which something held, told scan by scan.
-class Stretches {
+// When something held, told scan by scan.
+class TimeIntervals {
  public:
   void tell(double time, bool holds);
-  struct Stretch {
-    double from = 0.0, to = 0.0;  // [s]
-    int scans = 0;
-  };
-  const std::vector<Stretch>& all() const { return all_; }
-  Stretches without(const std::function<bool(double)>& left_out) const;  // by where they begin
+  const std::vector<TimeInterval>& all() const { return all_; }
+  TimeIntervals without(const std::function<bool(double)>& left_out) const;  // by where they begin
 
  private:
-  std::vector<Stretch> all_;
+  std::vector<TimeInterval> all_;
   bool holds_ = false;
 };
 
@@ -53,10 +48,10 @@ class Stretches {
 // lies on what it has just seen. Soon after, the new place is on the map too and explains its
 // scans; but how it lies to the old one is not known, unless the robot is found in the map of
 // before.
-class Troubles {
+class InputDiagnostics {
  public:
   // Where scans are not matched, a robot without odometry is taken to stand still.
-  explicit Troubles(const TroubleOptions& options, bool scans_are_matched = true)
+  explicit InputDiagnostics(const InputDiagnosticsOptions& options, bool scans_are_matched = true)
       : options_(options), scans_are_matched_(scans_are_matched) {}
 
   // The reading as the filter should see it: without the jumps.
@@ -65,22 +60,22 @@ class Troubles {
   void scan(double time, const std::optional<Pose2>& step, bool sees_anything);
   // Of a scan that sees: how much of it the best particle's map explains, and whether the robot may
   // be there by its map of before an interruption.
-  void update(double time, double explained, bool possible = true);
-  bool loses(double explained) const { return explained < options_.lost_below; }
+  void update(double time, double inlier_ratio, bool possible = true);
+  bool loses(double inlier_ratio) const { return inlier_ratio < options_.lost_below; }
 
   // [s] of something after which the robot may be anywhere, since the last update: a jump of
   // odometry, or a pause or a laser that saw nothing without odometry to bridge it.
   std::optional<double> interruption() const { return interruption_; }
   // Where the map of before `since` shows the robot at `time`.
-  void found_again(double since, double time) { found_again_.push_back({since, time}); }
+  void relocalized(double since, double time) { relocalized_.push_back({since, time}); }
 
   std::vector<TimeInterval> lost() const;    // and not found again
   std::vector<std::string> remarks() const;  // times from the first measurement on
 
  private:
-  Stretches lost_for_good() const;  // the robot was not found again
+  TimeIntervals lost_for_good() const;  // the robot was not found again
 
-  TroubleOptions options_;
+  InputDiagnosticsOptions options_;
   bool scans_are_matched_;
   double start_ = 0.0;
   bool started_ = false;
@@ -88,11 +83,11 @@ class Troubles {
   Pose2 passed_;                        // as it was passed on
   std::optional<double> last_scan_;     // [s] of the newest one
   std::optional<double> interruption_;  // [s]
-  struct FoundAgain {
+  struct Relocalized {
     double since = 0.0, time = 0.0;  // [s]
   };
-  std::vector<FoundAgain> found_again_;
-  Stretches no_odometry_, blind_, neither_, jumps_, pauses_, lost_;
+  std::vector<Relocalized> relocalized_;
+  TimeIntervals no_odometry_, blind_, neither_, jumps_, pauses_, lost_;
   double largest_jump_ = 0.0;  // [m]
 };
 

@@ -5,39 +5,39 @@
 #include <vector>
 
 #include "algorithms/field/surface_likelihood.h"
-#include "algorithms/localization/relocalization.h"
+#include "algorithms/localization/global_localizer.h"
 #include "algorithms/motion/motion_model.h"
+#include "algorithms/rbpf/front_end.h"
 #include "algorithms/rbpf/particle.h"
-#include "algorithms/rbpf/scan_condenser.h"
 #include "core/random.h"
 
 namespace mapbed {
 
-// The filter's memory of how it was before a trouble after which the robot may be anywhere: carried
-// away, driven on without scans, lost. Meanwhile the filter goes on as it can. Where the robot is
-// found in the map of before, the particles start again from there, each in its own map of before,
-// and what was seen since the trouble enters at the places that follow, not where it was put
-// meanwhile.
-class Recovery {
+// The filter's memory of how it was before an interruption after which the robot may be anywhere:
+// carried away, driven on without scans, lost. Meanwhile the filter goes on as it can. Where the
+// robot is found in the map of before, the particles start again from there, each in its own map of
+// before, and what was seen since the interruption enters at the places that follow, not where it
+// was put meanwhile.
+class Relocalization {
  public:
   // What the filter knows of all its updates.
   struct Updates {
     const std::vector<ScanForWeighting>& scans;
-    const std::vector<ScanCondenser::Update>& poses;
+    const std::vector<FrontEnd::Update>& poses;
     std::size_t newest() const { return scans.size() - 1; }
   };
 
-  // `before` as they were when the last scan before the trouble had entered their maps.
-  Recovery(double since, std::vector<Particle> before, const Updates& updates,
-           const RelocalizationOptions& options);
+  // `before` as they were when the last scan before the interruption had entered their maps.
+  Relocalization(double since, std::vector<Particle> before, const Updates& updates,
+                 const RelocalizationOptions& options);
 
   double since() const { return since_; }                    // [s]
-  std::size_t first_update() const { return path_.size(); }  // after the trouble
+  std::size_t first_update() const { return path_.size(); }  // after the interruption
   bool gives_up(const Updates& updates) const;
 
   // Where the robot is with the newest update. Elsewhere only where the search after the update
   // before led to the same place: what looks alike by chance does so once.
-  PlaceSearch::Answer find(const Updates& updates, const Pose2& here);
+  GlobalLocalizer::Answer find(const Updates& updates, const Pose2& here);
 
   // The particles after the newest update, made where the robot was found.
   std::vector<Particle> restarted(const Pose2& found, const Updates& updates,
@@ -45,7 +45,7 @@ class Recovery {
                                   const MotionModelOptions& motion_errors, const Rng& rng) const;
 
  private:
-  PlaceSearch::Answer searched(const Updates& updates, const Pose2& here) const;
+  GlobalLocalizer::Answer searched(const Updates& updates, const Pose2& here) const;
   // In the newest one's robot frame [m].
   std::vector<Eigen::Vector2d> newest_scans(const Updates& updates, std::size_t count) const;
 
@@ -53,7 +53,7 @@ class Recovery {
   double since_;
   std::vector<Particle> before_;
   std::vector<Pose2> path_;  // of the best of them, by update
-  PlaceSearch search_;       // in its map
+  GlobalLocalizer search_;   // in its map
   struct Candidate {
     Pose2 map_from_robot;
     std::size_t update = 0;

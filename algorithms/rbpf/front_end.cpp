@@ -1,4 +1,4 @@
-#include "algorithms/rbpf/scan_condenser.h"
+#include "algorithms/rbpf/front_end.h"
 
 #include <cmath>
 
@@ -13,42 +13,40 @@ std::optional<Pose2> motion_since(const std::optional<Pose2>& before,
 
 }  // namespace
 
-ScanCondenser::ScanCondenser(const ScanCondenserOptions& options)
-    : options_(options), matcher_(options.matcher) {}
+FrontEnd::FrontEnd(const FrontEndOptions& options) : options_(options), matcher_(options.matcher) {}
 
-void ScanCondenser::add(const Odometry& odometry) {
+void FrontEnd::add(const Odometry& odometry) {
   odometry_.add(odometry);
   matcher_.add(odometry);
 }
 
-void ScanCondenser::forget_past() {
-  matcher_.forget_past(!newest_.withheld);
+void FrontEnd::forget_past() {
+  matcher_.forget_past(!newest_.held_out);
 }
 
-bool ScanCondenser::is_due(const Pose2& track) const {
+bool FrontEnd::is_due(const Pose2& track) const {
   if (updates_.empty()) return true;
   const Pose2 motion = motion_between(updates_.back().track_from_robot, track);
   return std::hypot(motion.x, motion.y) >= options_.update_distance ||
          std::abs(motion.theta) >= options_.update_turn;
 }
 
-ScanCondenser::Place ScanCondenser::place_of(const LaserScan& scan,
-                                             const std::optional<Pose2>& step) {
+FrontEnd::Place FrontEnd::place_of(const LaserScan& scan, const std::optional<Pose2>& step) {
   const Pose2 carried = track_from_robot_ * step.value_or(Pose2{});
   if (options_.proposal == Proposal::odometry) return {carried, carried};
   const bool carried_far = !updates_.empty() && is_due(carried);
   const bool condensed = condensed_scans_ > 0 || options_.proposal == Proposal::scan_matching;
   if (carried_far && condensed) {
     const ScanMatch match = matcher_.match(scan);
-    return {carried, match.map_from_robot, true, match.refutes_prediction, match.trustworthy};
+    return {carried, match.map_from_robot, true, match.contradicts_prediction, match.trustworthy};
   }
   matcher_.add(scan);
   const ScanMatch& match = matcher_.last_match();
-  return {matcher_.pose(), matcher_.pose(), false, match.refutes_prediction, match.trustworthy};
+  return {matcher_.pose(), matcher_.pose(), false, match.contradicts_prediction, match.trustworthy};
 }
 
-UpdateMotion ScanCondenser::motion_to(const Place& place, const std::optional<Pose2>& step,
-                                      const std::optional<Pose2>& odometry, double time) const {
+UpdateMotion FrontEnd::motion_to(const Place& place, const std::optional<Pose2>& step,
+                                 const std::optional<Pose2>& odometry, double time) const {
   if (updates_.empty()) return {};
   const Update& before = updates_.back();
   const bool condensed = condensed_scans_ > 0;
@@ -58,10 +56,10 @@ UpdateMotion ScanCondenser::motion_to(const Place& place, const std::optional<Po
       .step = condensed ? step : motion_since(at_update_, odometry),
       .seconds = time - scans_.back().time,
       .guess = motion_between(before.seen_from_robot, place.seen),
-      .step_refuted = place.refutes_step};
+      .step_contradicted = place.contradicts_step};
 }
 
-ScanCondenser::Result ScanCondenser::add(const LaserScan& scan) {
+FrontEnd::Result FrontEnd::add(const LaserScan& scan) {
   const std::optional<Pose2> odometry =
       options_.matcher.use_odometry ? odometry_.at(scan.time) : std::optional<Pose2>{};
   Result result{.step = motion_since(at_scan_, odometry), .update = {}};
@@ -78,13 +76,13 @@ ScanCondenser::Result ScanCondenser::add(const LaserScan& scan) {
                         .seen_from_robot = place.seen,
                         .condensed = result.update->condensed,
                         .condensed_until = scans_.empty() ? scan.time : scans_.back().time,
-                        .is_condensed = place.withheld && condensed_scans_ > 0});
+                        .is_condensed = place.held_out && condensed_scans_ > 0});
     at_update_ = odometry;
     condensed_scans_ = 0;
   } else {
     ++condensed_scans_;
   }
-  if (!place.withheld) {
+  if (!place.held_out) {
     track_from_robot_ = place.track;
     at_matched_scan_ = odometry;
   }

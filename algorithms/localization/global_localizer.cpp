@@ -1,4 +1,4 @@
-#include "algorithms/localization/relocalization.h"
+#include "algorithms/localization/global_localizer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +32,9 @@ LikelihoodField field_of(const std::vector<SurfacePoint>& map,
 
 }  // namespace
 
-PlaceSearch::PlaceSearch(const std::vector<SurfacePoint>& map, const std::vector<Pose2>& path,
-                         const RelocalizationOptions& options)
+GlobalLocalizer::GlobalLocalizer(const std::vector<SurfacePoint>& map,
+                                 const std::vector<Pose2>& path,
+                                 const RelocalizationOptions& options)
     : options_(options),
       rival_margin_(std::log(options.min_odds) / options.beam_weight),
       field_(field_of(map, options.field)) {
@@ -49,21 +50,21 @@ PlaceSearch::PlaceSearch(const std::vector<SurfacePoint>& map, const std::vector
   pyramid_ = make_bound_pyramid(field_, window_);
 }
 
-bool PlaceSearch::is_same_place(const Pose2& a, const Pose2& b) const {
+bool GlobalLocalizer::is_same_place(const Pose2& a, const Pose2& b) const {
   return distance(a, b) <= options_.rival_distance &&
          std::abs(angle_difference(a.theta, b.theta)) <= options_.rival_turn;
 }
 
-std::optional<Pose2> PlaceSearch::matched_at(const Pose2& place,
-                                             const std::vector<Eigen::Vector2d>& points) const {
+std::optional<Pose2> GlobalLocalizer::matched_at(const Pose2& place,
+                                                 const std::vector<Eigen::Vector2d>& points) const {
   const ScanMatch match =
       match_scan_from(place, to_field_points(points, field_.resolution()), field_, {.mean = place});
-  if (match.explained < options_.min_explained) return {};
+  if (match.inlier_ratio < options_.min_inlier_ratio) return {};
   return match.map_from_robot;
 }
 
-PlaceSearch::Answer PlaceSearch::find(const std::vector<Eigen::Vector2d>& points,
-                                      const Pose2& here) const {
+GlobalLocalizer::Answer GlobalLocalizer::find(const std::vector<Eigen::Vector2d>& points,
+                                              const Pose2& here) const {
   if (points.empty()) return {};
   const FieldPoints in_cells = to_field_points(
       spread_evenly(points, static_cast<std::size_t>(options_.max_points)), field_.resolution());
@@ -76,20 +77,20 @@ PlaceSearch::Answer PlaceSearch::find(const std::vector<Eigen::Vector2d>& points
   const auto max_blocks = static_cast<std::size_t>(options_.max_blocks);
 
   const ScanMatch stayed = match_scan(in_cells, field_, {.mean = here});
-  Answer answer{.is_here = stayed.explained >= options_.min_explained,
-                .elsewhere = {},
-                .fits_here = stayed.trustworthy};
+  Answer answer{.confirmed = stayed.inlier_ratio >= options_.min_inlier_ratio,
+                .relocated_to = {},
+                .plausible = stayed.trustworthy};
   // What explains too little, or is not clearly better than to stay, is not looked at.
-  const double least = (1.0 - options_.min_explained) * double{field_.floor()} * count;
-  const double worth = answer.is_here ? stayed.log_likelihood + rival_margin_ : least;
+  const double least = (1.0 - options_.min_inlier_ratio) * double{field_.outlier_log()} * count;
+  const double worth = answer.confirmed ? stayed.log_likelihood + rival_margin_ : least;
   const LimitedSearch found =
       best_match_within(in_cells, field_, pyramid_, anywhere, lattice,
                         {.above = worth - lattice_loss, .max_blocks = max_blocks});
   if (!found.match || !found.complete) return answer;
   const ScanMatch best = match_scan_from(found.match->map_from_robot, in_cells, field_, anywhere);
   if (best.log_likelihood < worth) return answer;
-  answer.is_here = is_same_place(best.map_from_robot, here);
-  if (answer.is_here) return answer;
+  answer.confirmed = is_same_place(best.map_from_robot, here);
+  if (answer.confirmed) return answer;
 
   const double near_best = best.log_likelihood - rival_margin_;
   const LimitedSearch rival = best_match_within(in_cells, field_, pyramid_, anywhere, lattice,
@@ -104,7 +105,7 @@ PlaceSearch::Answer PlaceSearch::find(const std::vector<Eigen::Vector2d>& points
       (rival.match &&
        match_scan_from(rival.match->map_from_robot, in_cells, field_, anywhere).log_likelihood >=
            near_best);
-  if (!rivalled) answer.elsewhere = best.map_from_robot;
+  if (!rivalled) answer.relocated_to = best.map_from_robot;
   return answer;
 }
 

@@ -1,4 +1,4 @@
-#include "algorithms/rbpf/scan_condenser.h"
+#include "algorithms/rbpf/front_end.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,36 +19,36 @@ const Tolerance kExact{1e-9, 1e-9};
 // be told from what the scans say.
 class Drive {
  public:
-  explicit Drive(const ScanCondenserOptions& options) : condenser(options) {}
+  explicit Drive(const FrontEndOptions& options) : front_end(options) {}
 
-  ScanCondenser::Result step(double way, const Pose2& missed = {}) {
+  FrontEnd::Result step(double way, const Pose2& missed = {}) {
     odometry = odometry * Pose2{1.1 * way, 0.0, 0.0};
     truth = truth * Pose2{way, 0.0, 0.0} * missed;
     time += 1.0;
-    condenser.add(Odometry{.time = time, .odometry_from_robot = odometry});
-    return condenser.add(scan_of(furnished_room(), truth, kLaser, time));
+    front_end.add(Odometry{.time = time, .odometry_from_robot = odometry});
+    return front_end.add(scan_of(furnished_room(), truth, kLaser, time));
   }
 
-  ScanCondenser condenser;
+  FrontEnd front_end;
   Pose2 odometry, truth = kStart;
   double time = 0.0;  // [s]
 };
 
-TEST(ScanCondenser, TheFirstScanMakesAnUpdateWithoutAMotion) {
+TEST(FrontEnd, TheFirstScanMakesAnUpdateWithoutAMotion) {
   Drive drive({});
-  const ScanCondenser::Result first = drive.step(0.0);
+  const FrontEnd::Result first = drive.step(0.0);
   ASSERT_TRUE(first.update);
   EXPECT_EQ(first.update->whole, Pose2{});
   EXPECT_FALSE(first.step);
-  EXPECT_EQ(drive.condenser.updates().size(), 1U);
+  EXPECT_EQ(drive.front_end.updates().size(), 1U);
 }
 
-TEST(ScanCondenser, CondensesAllScansButTheNewestOne) {
+TEST(FrontEnd, CondensesAllScansButTheNewestOne) {
   Drive drive({.proposal = Proposal::scan_matching, .update_distance = 0.5});
   drive.step(0.0);
   EXPECT_FALSE(drive.step(0.2).update);
   EXPECT_FALSE(drive.step(0.2).update);
-  const ScanCondenser::Result due = drive.step(0.2);
+  const FrontEnd::Result due = drive.step(0.2);
   ASSERT_TRUE(due.update);
   const Pose2 by_odometry{0.22, 0.0, 0.0};
   EXPECT_THAT(due.update->condensed, IsNear(Pose2{0.4, 0.0, 0.0}, kMatched));
@@ -57,79 +57,79 @@ TEST(ScanCondenser, CondensesAllScansButTheNewestOne) {
   EXPECT_THAT(due.update->guess, IsNear(Pose2{0.6, 0.0, 0.0}, kMatched));
   // The update's own scan weights, so it has no say in the motion.
   EXPECT_THAT(due.update->whole, IsNear(due.update->condensed * by_odometry, kExact));
-  const ScanCondenser::Update& update = drive.condenser.updates().back();
+  const FrontEnd::Update& update = drive.front_end.updates().back();
   EXPECT_TRUE(update.is_condensed);
   EXPECT_EQ(update.condensed, due.update->condensed);
   EXPECT_DOUBLE_EQ(update.condensed_until, drive.time - 1.0);
 }
 
-TEST(ScanCondenser, GoesOnFromTheLastMatchedScanAfterAnUpdate) {
+TEST(FrontEnd, GoesOnFromTheLastMatchedScanAfterAnUpdate) {
   Drive drive({.proposal = Proposal::scan_matching, .update_distance = 0.5});
   for (const double way : {0.0, 0.2, 0.2, 0.2, 0.2, 0.2}) drive.step(way);
-  const ScanCondenser::Result due = drive.step(0.2);
+  const FrontEnd::Result due = drive.step(0.2);
   ASSERT_TRUE(due.update);
   EXPECT_THAT(due.update->condensed, IsNear(Pose2{0.4, 0.0, 0.0}, kMatched));
-  EXPECT_THAT(drive.condenser.scans().back().track_from_robot,
+  EXPECT_THAT(drive.front_end.scans().back().track_from_robot,
               IsNear(Pose2{1.2, 0.0, 0.0}, kMatched));
 }
 
-TEST(ScanCondenser, WhereEachScanIsAnUpdateOdometryAloneIsThePrior) {
+TEST(FrontEnd, WhereEachScanIsAnUpdateOdometryAloneIsThePrior) {
   Drive drive({.proposal = Proposal::improved, .update_distance = 0.5});
   drive.step(0.0);
   for (int i = 0; i < 3; ++i) {
-    const ScanCondenser::Result due = drive.step(0.6);
+    const FrontEnd::Result due = drive.step(0.6);
     ASSERT_TRUE(due.update);
     EXPECT_EQ(due.update->condensed, Pose2{});
     EXPECT_THAT(*due.update->step, IsNear(Pose2{0.66, 0.0, 0.0}, kExact));
     EXPECT_THAT(due.update->guess, IsNear(Pose2{0.6, 0.0, 0.0}, kMatched));
-    EXPECT_FALSE(drive.condenser.updates().back().is_condensed);
+    EXPECT_FALSE(drive.front_end.updates().back().is_condensed);
   }
 }
 
-TEST(ScanCondenser, TheStandardFilterMovesByOdometryAlone) {
+TEST(FrontEnd, TheStandardFilterMovesByOdometryAlone) {
   Drive drive({.proposal = Proposal::odometry, .update_distance = 0.5});
   drive.step(0.0);
   EXPECT_FALSE(drive.step(0.4).update);
-  const ScanCondenser::Result due = drive.step(0.4);
+  const FrontEnd::Result due = drive.step(0.4);
   ASSERT_TRUE(due.update);
   EXPECT_THAT(due.update->whole, IsNear(Pose2{0.88, 0.0, 0.0}, kExact));
-  EXPECT_THAT(drive.condenser.scans().back().track_from_robot, IsNear(drive.odometry, kExact));
+  EXPECT_THAT(drive.front_end.scans().back().track_from_robot, IsNear(drive.odometry, kExact));
 }
 
-TEST(ScanCondenser, ATurnMakesAnUpdateToo) {
+TEST(FrontEnd, ATurnMakesAnUpdateToo) {
   Drive drive({.update_turn = 0.4});
   drive.step(0.0);
   EXPECT_FALSE(drive.step(0.0, {0.0, 0.0, 0.3}).update);
   EXPECT_TRUE(drive.step(0.0, {0.0, 0.0, 0.15}).update);
 }
 
-TEST(ScanCondenser, SaysWhereAScanRefutesOdometry) {
+TEST(FrontEnd, SaysWhereAScanRefutesOdometry) {
   Drive drive({.update_distance = 0.5});
   drive.step(0.0);
   drive.step(0.2);
-  EXPECT_FALSE(drive.step(0.4).update->step_refuted);
+  EXPECT_FALSE(drive.step(0.4).update->step_contradicted);
   drive.step(0.2);
-  const ScanCondenser::Result due = drive.step(0.4, {0.0, 0.0, 1.5});  // the wheels saw no turn
+  const FrontEnd::Result due = drive.step(0.4, {0.0, 0.0, 1.5});  // the wheels saw no turn
   ASSERT_TRUE(due.update);
-  EXPECT_TRUE(due.update->step_refuted);
+  EXPECT_TRUE(due.update->step_contradicted);
   EXPECT_THAT(due.update->guess, IsNear(Pose2{0.6, 0.0, 1.5}, kMatched));
-  EXPECT_TRUE(drive.condenser.newest_is_matched());
+  EXPECT_TRUE(drive.front_end.newest_is_matched());
 }
 
-TEST(ScanCondenser, MatchesWithTheNewestScanAloneOnceThePastIsForgotten) {
+TEST(FrontEnd, MatchesWithTheNewestScanAloneOnceThePastIsForgotten) {
   Drive drive({.update_distance = 0.5});
   for (const double way : {0.0, 0.6, 0.6}) drive.step(way);
-  drive.condenser.forget_past();
+  drive.front_end.forget_past();
   EXPECT_THAT(drive.step(0.6).update->guess, IsNear(Pose2{0.6, 0.0, 0.0}, kMatched));
-  EXPECT_TRUE(drive.condenser.newest_is_matched());
+  EXPECT_TRUE(drive.front_end.newest_is_matched());
 }
 
-TEST(ScanCondenser, HasNothingToMatchWithWhereTheNewestScanWasWithheld) {
+TEST(FrontEnd, HasNothingToMatchWithWhereTheNewestScanWasWithheld) {
   Drive drive({.update_distance = 0.5});
   for (const double way : {0.0, 0.2, 0.4}) drive.step(way);
-  drive.condenser.forget_past();
+  drive.front_end.forget_past();
   drive.step(0.2);
-  EXPECT_FALSE(drive.condenser.newest_is_matched());
+  EXPECT_FALSE(drive.front_end.newest_is_matched());
 }
 
 }  // namespace

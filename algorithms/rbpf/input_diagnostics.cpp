@@ -1,4 +1,4 @@
-#include "algorithms/rbpf/troubles.h"
+#include "algorithms/rbpf/input_diagnostics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,28 +9,25 @@
 namespace mapbed {
 namespace {
 
-constexpr std::size_t kTold = 3;        // stretches of one kind; more are summed up
+constexpr std::size_t kTold = 3;        // intervals of one kind; more are summed up
 constexpr double kLeastSeconds = 0.25;  // between readings: stamps may be that far off
 
 }  // namespace
 
-void Stretches::tell(double time, bool holds) {
-  if (holds && !holds_) all_.push_back({time, time, 0});
-  if (holds) {
-    all_.back().to = time;
-    ++all_.back().scans;
-  }
+void TimeIntervals::tell(double time, bool holds) {
+  if (holds && !holds_) all_.push_back({time, time});
+  if (holds) all_.back().to = time;
   holds_ = holds;
 }
 
-Stretches Stretches::without(const std::function<bool(double)>& left_out) const {
-  Stretches rest;
+TimeIntervals TimeIntervals::without(const std::function<bool(double)>& left_out) const {
+  TimeIntervals rest;
   std::copy_if(all_.begin(), all_.end(), std::back_inserter(rest.all_),
-               [&](const Stretch& stretch) { return !left_out(stretch.from); });
+               [&](const TimeInterval& interval) { return !left_out(interval.from); });
   return rest;
 }
 
-Odometry Troubles::without_jumps(const Odometry& odometry) {
+Odometry InputDiagnostics::without_jumps(const Odometry& odometry) {
   if (!started_) start_ = odometry.time;
   started_ = true;
   if (!last_) {
@@ -38,10 +35,10 @@ Odometry Troubles::without_jumps(const Odometry& odometry) {
   } else {
     const Pose2 step = motion_between(last_->odometry_from_robot, odometry.odometry_from_robot);
     const double seconds = std::max(kLeastSeconds, odometry.time - last_->time);
-    const double way = std::hypot(step.x, step.y);
-    const bool jumped = way > options_.max_speed * seconds ||
+    const double translation = std::hypot(step.x, step.y);
+    const bool jumped = translation > options_.max_speed * seconds ||
                         std::abs(step.theta) > options_.max_turn_rate * seconds;
-    if (jumped) largest_jump_ = std::max(largest_jump_, way);
+    if (jumped) largest_jump_ = std::max(largest_jump_, translation);
     jumps_.tell(odometry.time, jumped);
     if (jumped) interruption_ = odometry.time;
     if (!jumped) passed_ = passed_ * step;
@@ -52,7 +49,7 @@ Odometry Troubles::without_jumps(const Odometry& odometry) {
   return passed;
 }
 
-void Troubles::scan(double time, const std::optional<Pose2>& step, bool sees_anything) {
+void InputDiagnostics::scan(double time, const std::optional<Pose2>& step, bool sees_anything) {
   if (!started_) start_ = time;
   started_ = true;
   const bool moves_unmeasured = last_scan_ && !step;  // the first scan has no step to be measured
@@ -71,34 +68,29 @@ void Troubles::scan(double time, const std::optional<Pose2>& step, bool sees_any
   last_scan_ = time;
 }
 
-void Troubles::update(double time, double explained, bool possible) {
-  lost_.tell(time, loses(explained) || !possible);
+void InputDiagnostics::update(double time, double inlier_ratio, bool possible) {
+  lost_.tell(time, loses(inlier_ratio) || !possible);
   interruption_.reset();
 }
 
-Stretches Troubles::lost_for_good() const {
+TimeIntervals InputDiagnostics::lost_for_good() const {
   const auto was_found = [&](double time) {
-    return std::any_of(found_again_.begin(), found_again_.end(), [&](const FoundAgain& found) {
+    return std::any_of(relocalized_.begin(), relocalized_.end(), [&](const Relocalized& found) {
       return found.since <= time && time <= found.time;
     });
   };
   return lost_.without(was_found);
 }
 
-std::vector<TimeInterval> Troubles::lost() const {
-  std::vector<TimeInterval> result;
-  const Stretches lost = lost_for_good();
-  for (const Stretches::Stretch& stretch : lost.all()) {
-    result.push_back({stretch.from, stretch.to});
-  }
-  return result;
+std::vector<TimeInterval> InputDiagnostics::lost() const {
+  return lost_for_good().all();
 }
 
-std::vector<std::string> Troubles::remarks() const {
+std::vector<std::string> InputDiagnostics::remarks() const {
   std::vector<std::string> result;
-  const auto tell = [&](const Stretches& stretches, const std::string& what,
+  const auto tell = [&](const TimeIntervals& intervals, const std::string& what,
                         const std::string& then) {
-    const std::vector<Stretches::Stretch>& all = stretches.all();
+    const std::vector<TimeInterval>& all = intervals.all();
     for (std::size_t i = 0; i < std::min(kTold, all.size()); ++i) {
       result.push_back(fmt::format("{} from {:.1f} s to {:.1f} s after the start{}", what,
                                    all[i].from - start_, all[i].to - start_, then));
@@ -115,7 +107,7 @@ std::vector<std::string> Troubles::remarks() const {
   tell(blind_, "the laser sees nothing", ": odometry alone says where the robot is");
   tell(neither_, "neither odometry nor anything that the laser sees",
        ": how the robot moved is not known");
-  for (const FoundAgain& found : found_again_) {
+  for (const Relocalized& found : relocalized_) {
     result.push_back(
         fmt::format("lost at {:.1f} s, found again at {:.1f} s after the start, by its "
                     "map of before",

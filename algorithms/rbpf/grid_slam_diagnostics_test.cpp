@@ -53,8 +53,8 @@ TEST(GridSlam, TheStandardFilterStandsStillWithoutOdometryAndSaysSo) {
     // Scans between updates are matched about where they are taken to be, which is held to be right
     // to this.
     const MotionModelOptions& errors = options.odometry_errors;
-    EXPECT_THAT(stamped.pose,
-                IsNear(Pose2{}, Tolerance{5 * errors.floor_way, 5 * errors.floor_turn}));
+    EXPECT_THAT(stamped.pose, IsNear(Pose2{}, Tolerance{5 * errors.least_translation_sigma,
+                                                        5 * errors.least_rotation_sigma}));
   }
   EXPECT_EQ(estimate.untrusted_scans, static_cast<int>(estimate.trajectory.size()) - 1);
   EXPECT_THAT(estimate.remarks,

@@ -11,14 +11,14 @@
 
 namespace mapbed {
 
-struct ScanCondenserOptions {
+struct FrontEndOptions {
   Proposal proposal = Proposal::improved;
   double update_distance = 0.5;  // [m] of motion between updates
   double update_turn = 0.4;      // [rad] of turn between updates
   IncrementalMatcherOptions matcher;
 };
 
-// The robot's way by odometry and scan matching alone, and where on it the particles are updated:
+// The robot's path by odometry and scan matching alone, and where on it the particles are updated:
 // of the scans since the last update all but the newest are condensed into one corrected motion,
 // Figure 5.4.
 //
@@ -27,9 +27,9 @@ struct ScanCondenserOptions {
 // lets the matcher see them, and the prior of the motion is that of odometry. From a match of the
 // update's own scan it takes only where the search for each particle's optimum starts, and
 // where the next motion begins.
-class ScanCondenser {
+class FrontEnd {
  public:
-  explicit ScanCondenser(const ScanCondenserOptions& options);
+  explicit FrontEnd(const FrontEndOptions& options);
 
   struct Result {
     std::optional<Pose2> step;           // by odometry since the scan before, if there is any
@@ -60,11 +60,11 @@ class ScanCondenser {
  private:
   // Where the robot is at a scan.
   struct Place {
-    Pose2 track;            // without the scan, where that is withheld from the matcher
+    Pose2 track;            // without the scan, where that is held_out from the matcher
     Pose2 seen;             // with its help
-    bool withheld = false;  // the matcher does not remember it: it weights
+    bool held_out = false;  // the matcher does not remember it: it weights
     // Found elsewhere than odometry's step from the last matched scan ends.
-    bool refutes_step = false;
+    bool contradicts_step = false;
     bool matched = true;  // false: it fits nowhere
   };
   Place place_of(const LaserScan& scan, const std::optional<Pose2>& step);
@@ -72,7 +72,7 @@ class ScanCondenser {
   UpdateMotion motion_to(const Place& place, const std::optional<Pose2>& step,
                          const std::optional<Pose2>& odometry, double time) const;
 
-  ScanCondenserOptions options_;
+  FrontEndOptions options_;
   OdometryTrack odometry_;
   IncrementalMatcher matcher_;
   Place newest_;

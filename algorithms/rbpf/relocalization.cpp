@@ -1,4 +1,4 @@
-#include "algorithms/rbpf/recovery.h"
+#include "algorithms/rbpf/relocalization.h"
 
 #include <algorithm>
 #include <utility>
@@ -38,51 +38,52 @@ std::size_t nearest_on(const std::vector<Pose2>& path, const Pose2& pose) {
 
 }  // namespace
 
-Recovery::Recovery(double since, std::vector<Particle> before, const Updates& updates,
-                   const RelocalizationOptions& options)
+Relocalization::Relocalization(double since, std::vector<Particle> before, const Updates& updates,
+                               const RelocalizationOptions& options)
     : options_(options),
       since_(since),
       before_(std::move(before)),
       path_(path_of_best(before_)),
       search_(seen_along(path_, updates.scans), path_, options) {}
 
-bool Recovery::gives_up(const Updates& updates) const {
+bool Relocalization::gives_up(const Updates& updates) const {
   return updates.scans.size() - first_update() >= static_cast<std::size_t>(options_.max_updates);
 }
 
-PlaceSearch::Answer Recovery::find(const Updates& updates, const Pose2& here) {
-  PlaceSearch::Answer answer = searched(updates, here);
+GlobalLocalizer::Answer Relocalization::find(const Updates& updates, const Pose2& here) {
+  GlobalLocalizer::Answer answer = searched(updates, here);
   const std::size_t newest = updates.newest();
   const std::optional<Candidate> before = candidate_;
   candidate_.reset();
-  if (!answer.elsewhere) return answer;
-  candidate_ = {*answer.elsewhere, newest};
+  if (!answer.relocated_to) return answer;
+  candidate_ = {*answer.relocated_to, newest};
   const bool confirmed =
       before && before->update + 1 == newest &&
       search_.is_same_place(
-          *answer.elsewhere,
+          *answer.relocated_to,
           before->map_from_robot * motion_between(updates.poses[newest - 1].seen_from_robot,
                                                   updates.poses[newest].seen_from_robot));
-  if (!confirmed) answer.elsewhere.reset();
+  if (!confirmed) answer.relocated_to.reset();
   return answer;
 }
 
-PlaceSearch::Answer Recovery::searched(const Updates& updates, const Pose2& here) const {
+GlobalLocalizer::Answer Relocalization::searched(const Updates& updates, const Pose2& here) const {
   const std::size_t newest = updates.newest();
   const std::vector<Eigen::Vector2d>& newest_hits = updates.scans[newest].hits;
-  const PlaceSearch::Answer alone = search_.find(newest_hits, here);
+  const GlobalLocalizer::Answer alone = search_.find(newest_hits, here);
   const auto count =
       std::min(newest - first_update() + 1, static_cast<std::size_t>(options_.scans));
-  if (alone.is_here || alone.elsewhere || count == 1) return alone;
+  if (alone.confirmed || alone.relocated_to || count == 1) return alone;
   // How several scans lie to each other is known less well where they fitted nowhere, so the newest
   // one must agree by itself.
-  PlaceSearch::Answer together = search_.find(newest_scans(updates, count), here);
-  if (together.elsewhere) together.elsewhere = search_.matched_at(*together.elsewhere, newest_hits);
+  GlobalLocalizer::Answer together = search_.find(newest_scans(updates, count), here);
+  if (together.relocated_to)
+    together.relocated_to = search_.matched_at(*together.relocated_to, newest_hits);
   return together;
 }
 
-std::vector<Eigen::Vector2d> Recovery::newest_scans(const Updates& updates,
-                                                    std::size_t count) const {
+std::vector<Eigen::Vector2d> Relocalization::newest_scans(const Updates& updates,
+                                                          std::size_t count) const {
   const std::size_t newest = updates.newest();
   std::vector<Eigen::Vector2d> points;
   for (std::size_t i = newest + 1 - count; i <= newest; ++i) {
@@ -95,10 +96,10 @@ std::vector<Eigen::Vector2d> Recovery::newest_scans(const Updates& updates,
   return points;
 }
 
-std::vector<Particle> Recovery::restarted(const Pose2& found, const Updates& updates,
-                                          const SurfaceLikelihood& likelihood,
-                                          const MotionModelOptions& motion_errors,
-                                          const Rng& rng) const {
+std::vector<Particle> Relocalization::restarted(const Pose2& found, const Updates& updates,
+                                                const SurfaceLikelihood& likelihood,
+                                                const MotionModelOptions& motion_errors,
+                                                const Rng& rng) const {
   const std::size_t newest = updates.newest();
   // Maps of particles lie differently; all know the place by what they passed there.
   const std::size_t anchor = nearest_on(path_, found);
@@ -116,7 +117,7 @@ std::vector<Particle> Recovery::restarted(const Pose2& found, const Updates& upd
     particle.pose = drawn_from(posterior.mode, posterior.covariance, own);
     particle.log_weight += posterior.log_evidence;
 
-    // Back from there to the trouble, each scan in the map of before.
+    // Back from there to the interruption, each scan in the map of before.
     std::vector<Pose2> since(newest + 1 - first_update(), particle.pose);
     for (std::size_t k = since.size() - 1; k-- > 0;) {
       const std::size_t update = first_update() + k;
