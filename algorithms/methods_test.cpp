@@ -104,6 +104,23 @@ TEST_P(EveryMethod, TakesBeamsThatWeighNothingAsFailed) {
   expect_same_path(*weighted, *failed);
 }
 
+TEST_P(EveryMethod, WeighsBeamsByTheirWeights) {
+  const auto half = made(), full = made(), plain = made();
+  for (const Measurement& measurement : drive().measurements) {
+    const auto* scan = std::get_if<LaserScan>(&measurement);
+    const std::size_t beams = scan != nullptr ? scan->ranges.size() : 0;
+    half->add(measurement, std::vector<float>(beams, 0.5F));
+    full->add(measurement, std::vector<float>(beams, 1.0F));
+    plain->add(measurement);
+  }
+  expect_same_path(*full, *plain);
+  const Pose2 by_half = half->estimate().trajectory.back().pose;
+  EXPECT_THAT(by_half, IsNear(plain->estimate().trajectory.back().pose, Tolerance{0.05, 0.02}));
+  if (GetParam() != "odometry") {  // the prediction counts twice as much
+    EXPECT_NE(by_half, plain->estimate().trajectory.back().pose);
+  }
+}
+
 TEST_P(EveryMethod, LeavesATiltedLaserOutAndSaysSo) {
   const auto both = made(), level = made();
   for (const Measurement& measurement : drive().measurements) {

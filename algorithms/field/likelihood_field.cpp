@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <tbb/parallel_for.h>
@@ -271,16 +272,30 @@ double LikelihoodField::sum_log_at(const FieldPoints& points, const Pose2& map_f
   const auto tx = static_cast<float>(map_from_robot.x / resolution_ - double{kTileSide} * min_x_);
   const auto ty = static_cast<float>(map_from_robot.y / resolution_ - double{kTileSide} * min_y_);
   float sum = 0.0F;
+  if (points.weights.empty()) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const float x = points.x[i], y = points.y[i];
+      sum += log_in_directory(c * x - s * y + tx, s * x + c * y + ty);
+    }
+    return double{sum};
+  }
   for (std::size_t i = 0; i < points.size(); ++i) {
     const float x = points.x[i], y = points.y[i];
-    sum += log_in_directory(c * x - s * y + tx, s * x + c * y + ty);
+    sum += points.weights[i] * log_in_directory(c * x - s * y + tx, s * x + c * y + ty);
   }
   return double{sum};
 }
 
-FieldPoints to_field_points(const std::vector<Eigen::Vector2d>& points_in_robot,
-                            double resolution) {
+double FieldPoints::total_weight() const {
+  if (weights.empty()) return static_cast<double>(size());
+  return std::accumulate(weights.begin(), weights.end(), 0.0);
+}
+
+FieldPoints to_field_points(const std::vector<Eigen::Vector2d>& points_in_robot, double resolution,
+                            std::vector<float> weights) {
+  CHECK(weights.empty() || weights.size() == points_in_robot.size());
   FieldPoints result;
+  result.weights = std::move(weights);
   result.x.reserve(points_in_robot.size());
   result.y.reserve(points_in_robot.size());
   for (const Eigen::Vector2d& point : points_in_robot) {

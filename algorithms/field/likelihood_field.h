@@ -33,7 +33,10 @@ void visit_fields(LikelihoodFieldOptions& o, Visitor&& visit) {
 struct FieldPoints {
   std::vector<float> x;
   std::vector<float> y;
+  std::vector<float> weights;  // in (0, 1]: how much each counts; empty: all count fully
   std::size_t size() const { return x.size(); }
+  float weight(std::size_t i) const { return weights.empty() ? 1.0F : weights[i]; }
+  double total_weight() const;
 };
 
 // End-point model, section 2.2.4, smoothed as in section 2.3.2: the log-likelihood of a beam that
@@ -113,6 +116,7 @@ class LikelihoodField {
   std::vector<std::int32_t> free_tiles_;  // below tiles_, in no place of the directory
 };
 
-FieldPoints to_field_points(const std::vector<Eigen::Vector2d>& points_in_robot, double resolution);
+FieldPoints to_field_points(const std::vector<Eigen::Vector2d>& points_in_robot, double resolution,
+                            std::vector<float> weights = {});
 
 }  // namespace mapbed

@@ -13,7 +13,11 @@ LikelihoodSlope likelihood_slope(const FieldPoints& points, std::size_t begin, s
   for (std::size_t i = begin; i < end; ++i) {
     const Eigen::Vector2d p =
         Eigen::Vector2d(double{points.x[i]}, double{points.y[i]}) * map.resolution();
-    const LikelihoodField::Shape shape = map.shape_at(map_from_robot * p);
+    LikelihoodField::Shape shape = map.shape_at(map_from_robot * p);
+    if (!points.weights.empty()) {
+      shape.slope *= double{points.weights[i]};
+      shape.curvature *= double{points.weights[i]};
+    }
     Eigen::Matrix<double, 2, 3> moves;  // of the point in the map, with steps of the robot
     moves << rotation, rotation * Eigen::Vector2d(-p.y(), p.x());
     sum.slope += moves.transpose() * shape.slope;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Dense>
 
@@ -46,13 +47,19 @@ float squared_distance(const SurfaceMap::Nearest& nearest, const Projection& alo
   return xx + yy - (1.0F - kAlong * kAlong) * squared_along;
 }
 
+double total_weight(const ScanForWeighting& scan) {
+  if (scan.hit_weights.empty()) return static_cast<double>(scan.hits.size());
+  return std::accumulate(scan.hit_weights.begin(), scan.hit_weights.end(), 0.0);
+}
+
 }  // namespace
 
 ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions& points,
-                                    const SurfaceLikelihoodOptions& options,
-                                    double map_resolution) {
+                                    const SurfaceLikelihoodOptions& options, double map_resolution,
+                                    std::span<const float> beam_weights) {
   ScanForWeighting result;
   result.hits = hit_points(scan, points);
+  result.hit_weights = hit_point_weights(scan, points, beam_weights);
   result.surface = surface_points(scan, points.max_range, kMaxGap, 0.9 * map_resolution);
   const double end = scan.max_range - options.free_before_end;
   if (scan.max_range > options.no_return_range || end <= 0.0) return result;
@@ -84,36 +91,48 @@ double SurfaceLikelihood::sum_of_free(const std::vector<Eigen::Vector2d>& free,
   return sum;
 }
 
-double SurfaceLikelihood::sum_of_hits(const std::vector<Eigen::Vector2d>& hits,
-                                      const SurfaceMap& map, const Pose2& map_from_robot) const {
+template <bool weighted>
+double SurfaceLikelihood::sum_of_hits(const ScanForWeighting& scan, const SurfaceMap& map,
+                                      const Pose2& map_from_robot) const {
   const double c = std::cos(map_from_robot.theta), s = std::sin(map_from_robot.theta);
   SurfaceMap::Reader reader(map);
   double sum = 0.0;
-  for (const Eigen::Vector2d& hit : hits) {
+  for (std::size_t i = 0; i < scan.hits.size(); ++i) {
+    const Eigen::Vector2d& hit = scan.hits[i];
     const SurfaceMap::Nearest nearest = reader.nearest(
         map_from_robot.x + c * hit.x() - s * hit.y(), map_from_robot.y + s * hit.x() + c * hit.y());
-    sum += nearest.found ? double{mixture_.log_at(squared_distance(nearest, Projection(nearest)))}
-                         : mixture_.outlier_log();
+    const double log = nearest.found
+                           ? double{mixture_.log_at(squared_distance(nearest, Projection(nearest)))}
+                           : mixture_.outlier_log();
+    sum += weighted ? double{scan.hit_weights[i]} * log : log;
   }
   return sum;
 }
 
+double SurfaceLikelihood::sum_of_hits(const ScanForWeighting& scan, const SurfaceMap& map,
+                                      const Pose2& map_from_robot) const {
+  return scan.hit_weights.empty() ? sum_of_hits<false>(scan, map, map_from_robot)
+                                  : sum_of_hits<true>(scan, map, map_from_robot);
+}
+
 double SurfaceLikelihood::log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
                                          const Pose2& map_from_robot) const {
-  return options_.beam_weight * (sum_of_hits(scan.hits, map, map_from_robot) +
-                                 sum_of_free(scan.free, map, map_from_robot));
+  return options_.beam_weight *
+         (sum_of_hits(scan, map, map_from_robot) + sum_of_free(scan.free, map, map_from_robot));
 }
 
 double SurfaceLikelihood::inlier_ratio(const ScanForWeighting& scan, const SurfaceMap& map,
                                        const Pose2& map_from_robot) const {
   if (scan.hits.empty()) return 0.0;
-  return mapbed::inlier_ratio(sum_of_hits(scan.hits, map, map_from_robot),
-                              static_cast<double>(scan.hits.size()) * mixture_.outlier_log());
+  return mapbed::inlier_ratio(sum_of_hits(scan, map, map_from_robot),
+                              total_weight(scan) * mixture_.outlier_log());
 }
 
-SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const std::vector<Eigen::Vector2d>& hits,
+template <bool weighted>
+SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const ScanForWeighting& scan,
                                                           std::size_t every, const SurfaceMap& map,
                                                           const Pose2& map_from_robot) const {
+  const std::vector<Eigen::Vector2d>& hits = scan.hits;
   const double c = std::cos(map_from_robot.theta), s = std::sin(map_from_robot.theta);
   SurfaceMap::Reader reader(map);
   float sum = 0.0F, gx = 0.0F, gy = 0.0F, gt = 0.0F;
@@ -122,11 +141,16 @@ SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const std::vector<Eige
     const double x = c * hits[i].x() - s * hits[i].y(), y = s * hits[i].x() + c * hits[i].y();
     const SurfaceMap::Nearest nearest = reader.nearest(map_from_robot.x + x, map_from_robot.y + y);
     if (!nearest.found) {
-      sum += static_cast<float>(mixture_.outlier_log());
+      const auto log = static_cast<float>(mixture_.outlier_log());
+      sum += weighted ? scan.hit_weights[i] * log : log;
       continue;
     }
     const Projection along(nearest);
-    const HitMixture::Value value = mixture_.at(squared_distance(nearest, along));
+    HitMixture::Value value = mixture_.at(squared_distance(nearest, along));
+    if constexpr (weighted) {
+      value.log *= scan.hit_weights[i];
+      value.inlier *= scan.hit_weights[i];
+    }
     sum += value.log;
     // Along its line a point may slide: it pulls across it only.
     const float nxx = value.inlier * (1.0F - along.half - along.x);
@@ -159,6 +183,13 @@ SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const std::vector<Eige
   return slope;
 }
 
+SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const ScanForWeighting& scan,
+                                                          std::size_t every, const SurfaceMap& map,
+                                                          const Pose2& map_from_robot) const {
+  return scan.hit_weights.empty() ? slope_of_hits<false>(scan, every, map, map_from_robot)
+                                  : slope_of_hits<true>(scan, every, map, map_from_robot);
+}
+
 LocalPosterior SurfaceLikelihood::local_posterior(const Pose2& start, const ScanForWeighting& scan,
                                                   const SurfaceMap& map,
                                                   const PosePrior& prior) const {
@@ -168,7 +199,7 @@ LocalPosterior SurfaceLikelihood::local_posterior(const Pose2& start, const Scan
   bool converged = false;
   for (int i = 0; i < kIterations && !converged; ++i) {
     const bool coarse = i == 0 && scan.hits.size() >= kManyHits;
-    const Slope slope = slope_of_hits(scan.hits, coarse ? kCoarse : 1, map, result.mode);
+    const Slope slope = slope_of_hits(scan, coarse ? kCoarse : 1, map, result.mode);
     Eigen::Matrix3d map_from_mode = Eigen::Matrix3d::Identity();  // of small steps
     const double c = std::cos(result.mode.theta), s = std::sin(result.mode.theta);
     map_from_mode.topLeftCorner<2, 2>() << c, -s, s, c;
@@ -184,7 +215,7 @@ LocalPosterior SurfaceLikelihood::local_posterior(const Pose2& start, const Scan
     sum = slope.sum + step.dot(pull) - 0.5 * step.dot(of_scan * step);
     converged = !coarse && step.cwiseAbs().maxCoeff() < kConverged;
   }
-  if (!converged) sum = sum_of_hits(scan.hits, map, result.mode);
+  if (!converged) sum = sum_of_hits(scan, map, result.mode);
   result.covariance = information.inverse();
   result.log_evidence =
       options_.beam_weight * (sum + sum_of_free(scan.free, map, result.mode)) +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -45,11 +46,13 @@ void visit_fields(SurfaceLikelihoodOptions& o, Visitor&& visit) {
 // What of a scan weights a particle, in the robot frame [m].
 struct ScanForWeighting {
   std::vector<Eigen::Vector2d> hits;
+  std::vector<float> hit_weights;     // in (0, 1]: how much each counts; empty: all count fully
   std::vector<Eigen::Vector2d> free;  // shortly before the ends of maximum-range beams
   std::vector<SurfacePoint> surface;  // what enters the map
 };
 ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions& points,
-                                    const SurfaceLikelihoodOptions& options, double map_resolution);
+                                    const SurfaceLikelihoodOptions& options, double map_resolution,
+                                    std::span<const float> beam_weights = {});
 
 // The optimum of ln p(z | x, m) + ln p(x) near a start, by Gauss-Newton, and the Gaussian about it.
 struct LocalPosterior {
@@ -84,10 +87,16 @@ class SurfaceLikelihood {
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   };
-  // By every so many hits, each for as many.
-  Slope slope_of_hits(const std::vector<Eigen::Vector2d>& hits, std::size_t every,
-                      const SurfaceMap& map, const Pose2& map_from_robot) const;
-  double sum_of_hits(const std::vector<Eigen::Vector2d>& hits, const SurfaceMap& map,
+  // By every so many hits, each for as many. Loops of their own where hits have weights.
+  template <bool weighted>
+  Slope slope_of_hits(const ScanForWeighting& scan, std::size_t every, const SurfaceMap& map,
+                      const Pose2& map_from_robot) const;
+  template <bool weighted>
+  double sum_of_hits(const ScanForWeighting& scan, const SurfaceMap& map,
+                     const Pose2& map_from_robot) const;
+  Slope slope_of_hits(const ScanForWeighting& scan, std::size_t every, const SurfaceMap& map,
+                      const Pose2& map_from_robot) const;
+  double sum_of_hits(const ScanForWeighting& scan, const SurfaceMap& map,
                      const Pose2& map_from_robot) const;
   double sum_of_free(const std::vector<Eigen::Vector2d>& free, const SurfaceMap& map,
                      const Pose2& map_from_robot) const;

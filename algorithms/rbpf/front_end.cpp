@@ -31,16 +31,17 @@ bool FrontEnd::is_due(const Pose2& track) const {
          std::abs(motion.theta) >= options_.update_turn;
 }
 
-FrontEnd::Place FrontEnd::place_of(const LaserScan& scan, const std::optional<Pose2>& step) {
+FrontEnd::Place FrontEnd::place_of(const LaserScan& scan, std::span<const float> beam_weights,
+                                   const std::optional<Pose2>& step) {
   const Pose2 carried = track_from_robot_ * step.value_or(Pose2{});
   if (options_.proposal == Proposal::odometry) return {carried, carried};
   const bool carried_far = !updates_.empty() && is_due(carried);
   const bool condensed = condensed_scans_ > 0 || options_.proposal == Proposal::scan_matching;
   if (carried_far && condensed) {
-    const ScanMatch match = matcher_.match(scan);
+    const ScanMatch match = matcher_.match(scan, beam_weights);
     return {carried, match.map_from_robot, true, match.contradicts_prediction, match.trustworthy};
   }
-  matcher_.add(scan);
+  matcher_.add(scan, beam_weights);
   const ScanMatch& match = matcher_.last_match();
   return {matcher_.pose(), matcher_.pose(), false, match.contradicts_prediction, match.trustworthy};
 }
@@ -59,7 +60,7 @@ UpdateMotion FrontEnd::motion_to(const Place& place, const std::optional<Pose2>&
       .step_contradicted = place.contradicts_step};
 }
 
-FrontEnd::Result FrontEnd::add(const LaserScan& scan) {
+FrontEnd::Result FrontEnd::add(const LaserScan& scan, std::span<const float> beam_weights) {
   const std::optional<Pose2> odometry =
       options_.matcher.use_odometry ? odometry_.at(scan.time) : std::optional<Pose2>{};
   Result result{.step = motion_since(at_scan_, odometry), .update = {}};
@@ -68,7 +69,7 @@ FrontEnd::Result FrontEnd::add(const LaserScan& scan) {
   if (unmoved) ++unmoved_scans_;
 
   const std::optional<Pose2> step = motion_since(at_matched_scan_, odometry);
-  const Place place = place_of(scan, step);
+  const Place place = place_of(scan, beam_weights, step);
   if (is_due(place.track)) {
     result.update = motion_to(place, step, odometry, scan.time);
     updates_.push_back({.time = scan.time,

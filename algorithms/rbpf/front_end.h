@@ -36,7 +36,7 @@ class FrontEnd {
     std::optional<UpdateMotion> update;  // of the update that is due with this scan
   };
   void add(const Odometry& odometry);
-  Result add(const LaserScan& scan);
+  Result add(const LaserScan& scan, std::span<const float> beam_weights = {});
 
   bool newest_is_matched() const { return newest_.matched; }  // false: it fits nowhere near
   // Scans to come are matched with the newest one alone, not with what was seen before, so that at
@@ -67,7 +67,8 @@ class FrontEnd {
     bool contradicts_step = false;
     bool matched = true;  // false: it fits nowhere
   };
-  Place place_of(const LaserScan& scan, const std::optional<Pose2>& step);
+  Place place_of(const LaserScan& scan, std::span<const float> beam_weights,
+                 const std::optional<Pose2>& step);
   bool is_due(const Pose2& track) const;
   UpdateMotion motion_to(const Place& place, const std::optional<Pose2>& step,
                          const std::optional<Pose2>& odometry, double time) const;

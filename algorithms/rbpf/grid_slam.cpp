@@ -35,24 +35,25 @@ void GridSlam::add(const Measurement& measurement, std::span<const float> beam_w
   }
   const auto* scan = std::get_if<LaserScan>(&measurement);
   if (scan != nullptr && lasers_.take(*scan)) {
-    add_scan(beam_weights.empty() ? *scan : with_failed_beams(*scan, beam_weights));
+    add_scan(beam_weights.empty() ? *scan : with_failed_beams(*scan, beam_weights), beam_weights);
   }
 }
 
-void GridSlam::add_scan(const LaserScan& scan) {
+void GridSlam::add_scan(const LaserScan& scan, std::span<const float> beam_weights) {
   const std::vector<Eigen::Vector2d> hits = hit_points(scan, options_.points);
-  const FrontEnd::Result condensed = front_end_.add(scan);
+  const FrontEnd::Result condensed = front_end_.add(scan, beam_weights);
   diagnostics_.scan(scan.time, condensed.step, hits.size() >= kMinHits);
-  if (condensed.update) update(scan, *condensed.update);
+  if (condensed.update) update(scan, beam_weights, *condensed.update);
   if (!options_.refinement.enabled) return;
   KeptHits& kept = hits_.emplace_back();
   if (condensed.update) return;
   for (const Eigen::Vector2d& hit : hits) kept.push_back(hit.cast<float>());
 }
 
-void GridSlam::update(const LaserScan& scan, const UpdateMotion& motion) {
-  weighting_scans_.push_back(
-      scan_for_weighting(scan, options_.points, options_.likelihood, options_.map_resolution));
+void GridSlam::update(const LaserScan& scan, std::span<const float> beam_weights,
+                      const UpdateMotion& motion) {
+  weighting_scans_.push_back(scan_for_weighting(scan, options_.points, options_.likelihood,
+                                                options_.map_resolution, beam_weights));
   updates_.push_back({.time = scan.time});
   const ScanForWeighting& prepared_scan = weighting_scans_.back();
   const std::size_t number = updates_.size() - 1;

@@ -51,8 +51,9 @@ class GridSlam : public Estimator {
   std::vector<Motion> motions() const;
 
  private:
-  void add_scan(const LaserScan& scan);
-  void update(const LaserScan& scan, const UpdateMotion& motion);
+  void add_scan(const LaserScan& scan, std::span<const float> beam_weights);
+  void update(const LaserScan& scan, std::span<const float> beam_weights,
+              const UpdateMotion& motion);
   void start();
   void move_and_weight(Particle& particle, const ScanForWeighting& scan, const UpdateMotion& motion,
                        Rng& rng) const;

@@ -6,12 +6,38 @@
 #include "core/check.h"
 
 namespace mapbed {
+namespace {
+
+bool is_near_hit(const LaserScan& scan, std::size_t beam, double max_range) {
+  return scan.is_hit(beam) && scan.ranges[beam] < max_range;
+}
+
+// Which of a scan's hits are kept.
+std::vector<std::size_t> spaced_evenly(const std::vector<Eigen::Vector2d>& hits,
+                                       const HitPointOptions& options) {
+  CHECK(options.max_points > 0);
+  std::vector<std::size_t> spaced;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const bool near =
+        !spaced.empty() && (hits[i] - hits[spaced.back()]).norm() < options.min_spacing;
+    if (!near) spaced.push_back(i);
+  }
+  const auto limit = static_cast<std::size_t>(options.max_points);
+  if (spaced.size() <= limit) return spaced;
+  std::vector<std::size_t> even;
+  even.reserve(limit);
+  for (std::size_t i = 0; i < limit; ++i) even.push_back(spaced[i * spaced.size() / limit]);
+  return even;
+}
+
+}  // namespace
+
 std::vector<Eigen::Vector2d> all_hit_points(const LaserScan& scan, double max_range) {
   std::vector<Eigen::Vector2d> points;
   points.reserve(scan.ranges.size());
   for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    if (!is_near_hit(scan, beam, max_range)) continue;
     const double range = scan.ranges[beam];
-    if (!scan.is_hit(beam) || range >= max_range) continue;
     const double bearing = scan.bearing(beam);
     points.emplace_back(range * std::cos(bearing), range * std::sin(bearing));
   }
@@ -21,18 +47,25 @@ std::vector<Eigen::Vector2d> all_hit_points(const LaserScan& scan, double max_ra
 }
 
 std::vector<Eigen::Vector2d> hit_points(const LaserScan& scan, const HitPointOptions& options) {
-  CHECK(options.max_points > 0);
-  std::vector<Eigen::Vector2d> spaced;
-  for (const Eigen::Vector2d& point : all_hit_points(scan, options.max_range)) {
-    const bool near = !spaced.empty() && (point - spaced.back()).norm() < options.min_spacing;
-    if (!near) spaced.push_back(point);
+  const std::vector<Eigen::Vector2d> all = all_hit_points(scan, options.max_range);
+  std::vector<Eigen::Vector2d> points;
+  for (const std::size_t i : spaced_evenly(all, options)) points.push_back(all[i]);
+  return points;
+}
+
+std::vector<float> hit_point_weights(const LaserScan& scan, const HitPointOptions& options,
+                                     std::span<const float> beam_weights) {
+  if (beam_weights.empty()) return {};
+  CHECK(beam_weights.size() == scan.ranges.size());
+  std::vector<float> of_all;
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    if (is_near_hit(scan, beam, options.max_range)) of_all.push_back(beam_weights[beam]);
   }
-  const auto limit = static_cast<std::size_t>(options.max_points);
-  if (spaced.size() <= limit) return spaced;
-  std::vector<Eigen::Vector2d> even;
-  even.reserve(limit);
-  for (std::size_t i = 0; i < limit; ++i) even.push_back(spaced[i * spaced.size() / limit]);
-  return even;
+  std::vector<float> weights;
+  for (const std::size_t i : spaced_evenly(all_hit_points(scan, options.max_range), options)) {
+    weights.push_back(of_all[i]);
+  }
+  return weights;
 }
 
 std::vector<Eigen::Vector2d> transformed(const std::vector<Eigen::Vector2d>& points_in_b,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -29,6 +30,10 @@ void visit_fields(HitPointOptions& o, Visitor&& visit) {
 // Where the beams of a scan ended, in the robot frame [m]. Maximum-range and failed beams have no
 // end.
 std::vector<Eigen::Vector2d> hit_points(const LaserScan& scan, const HitPointOptions& options);
+
+// How much each of them counts, by the weights of the scan's beams; empty where these are.
+std::vector<float> hit_point_weights(const LaserScan& scan, const HitPointOptions& options,
+                                     std::span<const float> beam_weights);
 
 // All of them nearer than max_range.
 std::vector<Eigen::Vector2d> all_hit_points(const LaserScan& scan, double max_range);

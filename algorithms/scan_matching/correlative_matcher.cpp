@@ -92,7 +92,7 @@ class CorrelativeSearch {
         prior_bound_(prediction),
         lattice_(lattice),
         limits_(limits),
-        floor_(double{map.outlier_log()} * static_cast<double>(points.size())),
+        floor_(double{map.outlier_log()} * points.total_weight()),
         best_(limits.above) {
     for (int turn = -lattice.turns; turn <= lattice.turns; ++turn) rotate(turn);
   }
@@ -124,6 +124,7 @@ class CorrelativeSearch {
     const double tx = pose.x / map_.resolution(), ty = pose.y / map_.resolution();
     const int reach = lattice_.shifts + 1;
     std::vector<std::int32_t> cells;
+    std::vector<float> weights;
     cells.reserve(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const double px = double{points_.x[i]}, py = double{points_.y[i]};
@@ -131,9 +132,12 @@ class CorrelativeSearch {
       const int y = static_cast<int>(std::floor(s * px + c * py + ty));
       const bool reachable = x >= pyramid_.box.min.x - reach && x <= pyramid_.box.max.x + reach &&
                              y >= pyramid_.box.min.y - reach && y <= pyramid_.box.max.y + reach;
-      if (reachable) cells.push_back((y - pyramid_.min_y) * pyramid_.width + (x - pyramid_.min_x));
+      if (!reachable) continue;
+      cells.push_back((y - pyramid_.min_y) * pyramid_.width + (x - pyramid_.min_x));
+      if (!points_.weights.empty()) weights.push_back(points_.weights[i]);
     }
     rotated_.push_back(std::move(cells));
+    rotated_weights_.push_back(std::move(weights));
   }
 
   std::vector<Block> coarsest_blocks() {
@@ -155,13 +159,26 @@ class CorrelativeSearch {
         rotated_[static_cast<std::size_t>(turn + lattice_.turns)];
     const std::uint8_t* bounds = pyramid_.levels[static_cast<std::size_t>(level)].data() +
                                  std::ptrdiff_t{y} * pyramid_.width + x;
-    int sum = 0;
-    for (const std::int32_t cell : cells) sum += bounds[cell];
+    const double sum = sum_of(bounds, cells, turn);
     const Pose2 low = pose_on(lattice_, prediction_.mean, map_.resolution(), turn, x, y);
     const double side = ((1 << level) - 1) * map_.resolution();
     return floor_ + sum * pyramid_.step +
            prior_bound_.over(low.position(), low.position() + Eigen::Vector2d(side, side),
                              low.theta);
+  }
+
+  double sum_of(const std::uint8_t* bounds, const std::vector<std::int32_t>& cells,
+                int turn) const {
+    if (points_.weights.empty()) {
+      int sum = 0;
+      for (const std::int32_t cell : cells) sum += bounds[cell];
+      return sum;
+    }
+    const std::vector<float>& weights =
+        rotated_weights_[static_cast<std::size_t>(turn + lattice_.turns)];
+    double sum = 0.0;
+    for (std::size_t i = 0; i < cells.size(); ++i) sum += double{weights[i]} * bounds[cells[i]];
+    return sum;
   }
 
   void branch(const Block& block, int level) {
@@ -202,7 +219,8 @@ class CorrelativeSearch {
   Lattice lattice_;
   const SearchLimits& limits_;
   double floor_;
-  std::vector<std::vector<std::int32_t>> rotated_;  // by turn
+  std::vector<std::vector<std::int32_t>> rotated_;   // by turn
+  std::vector<std::vector<float>> rotated_weights_;  // of the same points, where they have any
   double best_;
   std::optional<Pose2> best_pose_;
   std::size_t looked_at_ = 0;  // blocks, and poses
@@ -214,7 +232,7 @@ ScanMatch match_at(const Pose2& pose, const FieldPoints& points, const Likelihoo
   match.log_likelihood = map.sum_log_at(points, pose);
   match.log_posterior = match.log_likelihood + prediction.log_at(pose);
   match.inlier_ratio =
-      inlier_ratio(match.log_likelihood, double{map.outlier_log()} * match.points_used);
+      inlier_ratio(match.log_likelihood, double{map.outlier_log()} * points.total_weight());
   match.trustworthy = match.inlier_ratio >= min_inlier_ratio;
   return match;
 }

@@ -56,8 +56,10 @@ const IcpMap::Pair* IcpMap::nearest(const Eigen::Vector2d& point, double max_dis
 }
 
 ScanMatch match_icp(const std::vector<Eigen::Vector2d>& points_in_robot, const IcpMap& map,
-                    const PosePrior& prediction, const IcpMatcherOptions& options) {
+                    const PosePrior& prediction, const IcpMatcherOptions& options,
+                    std::span<const float> weights) {
   CHECK(options.max_iterations > 0 && options.sigma > 0.0);
+  CHECK(weights.empty() || weights.size() == points_in_robot.size());
   ScanMatch match{.map_from_robot = prediction.mean,
                   .points_used = static_cast<int>(points_in_robot.size())};
   if (points_in_robot.empty()) return match;
@@ -68,19 +70,22 @@ ScanMatch match_icp(const std::vector<Eigen::Vector2d>& points_in_robot, const I
     const Pose2 off = motion_between(prediction.mean, match.map_from_robot);
     Eigen::Vector3d g = prediction.information * Eigen::Vector3d(off.x, off.y, off.theta);
     const double c = std::cos(match.map_from_robot.theta), s = std::sin(match.map_from_robot.theta);
-    int paired = 0;
+    double paired = 0.0, all = 0.0;  // weights
     double cost = 0.0;
-    for (const Eigen::Vector2d& p : points_in_robot) {
+    for (std::size_t i = 0; i < points_in_robot.size(); ++i) {
+      const Eigen::Vector2d& p = points_in_robot[i];
+      const double own_weight = weights.empty() ? 1.0 : double{weights[i]};
+      all += own_weight;
       const Eigen::Vector2d point = match.map_from_robot * p;
       const IcpMap::Pair* pair = map.nearest(point, options.max_distance);
       if (pair == nullptr) continue;
-      ++paired;
+      paired += own_weight;
       // To the line, or where the map knows none to the point, which the error's own direction
       // does.
       const Eigen::Vector2d error = point - pair->point;
       const Eigen::Vector2d across = pair->normal.isZero() ? error.normalized() : pair->normal;
       const double residual = across.dot(error) / options.sigma;
-      const double weight = 1.0 / (1.0 + residual * residual);  // Cauchy
+      const double weight = own_weight / (1.0 + residual * residual);  // Cauchy
       const Eigen::Vector2d normal(c * across.x() + s * across.y(),
                                    -s * across.x() + c * across.y());  // in the robot frame
       const Eigen::Vector3d gradient =
@@ -88,9 +93,9 @@ ScanMatch match_icp(const std::vector<Eigen::Vector2d>& points_in_robot, const I
           options.sigma;
       h += weight * gradient * gradient.transpose();
       g += weight * residual * gradient;
-      cost += 0.5 * std::log1p(residual * residual);
+      cost += own_weight * (0.5 * std::log1p(residual * residual));
     }
-    match.inlier_ratio = static_cast<double>(paired) / static_cast<double>(points_in_robot.size());
+    match.inlier_ratio = paired / all;
     match.log_likelihood = -cost;
     match.log_posterior = -cost + prediction.log_at(match.map_from_robot);
     const Eigen::Vector3d step = (h + 1e-9 * Eigen::Matrix3d::Identity()).ldlt().solve(-g);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -57,6 +58,7 @@ class IcpMap {
 // log_posterior and inlier_ratio (fraction of paired points) are ICP's own and do not compare with
 // those of the likelihood field.
 ScanMatch match_icp(const std::vector<Eigen::Vector2d>& points_in_robot, const IcpMap& map,
-                    const PosePrior& prediction, const IcpMatcherOptions& options = {});
+                    const PosePrior& prediction, const IcpMatcherOptions& options = {},
+                    std::span<const float> weights = {});
 
 }  // namespace mapbed

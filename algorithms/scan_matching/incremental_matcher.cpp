@@ -25,7 +25,7 @@ void IncrementalMatcher::add(const Measurement& measurement, std::span<const flo
   if (const auto* odometry = std::get_if<Odometry>(&measurement)) odometry_.add(*odometry);
   const auto* scan = std::get_if<LaserScan>(&measurement);
   if (scan != nullptr && lasers_.take(*scan)) {
-    add_scan(beam_weights.empty() ? *scan : with_failed_beams(*scan, beam_weights));
+    add_scan(beam_weights.empty() ? *scan : with_failed_beams(*scan, beam_weights), beam_weights);
   }
 }
 
@@ -47,18 +47,19 @@ IncrementalMatcher::Prediction IncrementalMatcher::predicted(double time) const 
                   options_.motion)};
 }
 
-ScanMatch IncrementalMatcher::match(const LaserScan& scan) {
+ScanMatch IncrementalMatcher::match(const LaserScan& scan, std::span<const float> beam_weights) {
   if (trajectory_.empty()) return {.map_from_robot = map_from_robot_};
   const auto [prior, blind] = predicted(scan.time);
-  ScanMatch match = aligned(hit_points(scan, options_.points), prior, blind);
+  ScanMatch match = aligned(hit_points(scan, options_.points),
+                            hit_point_weights(scan, options_.points, beam_weights), prior, blind);
   if (!match.trustworthy) match.map_from_robot = prior.mean;
   return match;
 }
 
-void IncrementalMatcher::add_scan(const LaserScan& scan) {
+void IncrementalMatcher::add_scan(const LaserScan& scan, std::span<const float> beam_weights) {
   if (!trajectory_.empty()) {
     CHECK(scan.time >= trajectory_.back().time);
-    last_match_ = match(scan);
+    last_match_ = match(scan, beam_weights);
     map_from_robot_ = last_match_.map_from_robot;
     if (!last_match_.trustworthy) ++untrusted_scans_;
   }
@@ -83,13 +84,14 @@ PosePrior IncrementalMatcher::prediction(double time) const {
 }
 
 ScanMatch IncrementalMatcher::aligned(const std::vector<Eigen::Vector2d>& points,
-                                      const PosePrior& prior, bool blind) {
+                                      const std::vector<float>& weights, const PosePrior& prior,
+                                      bool blind) {
   if (points.size() < kMinPoints || kept_poses_.empty()) return {.map_from_robot = prior.mean};
   if (options_.alignment == Alignment::icp) {
     if (!icp_map_) icp_map_.emplace(means_.means());
-    return match_icp(points, *icp_map_, prior, options_.icp);
+    return match_icp(points, *icp_map_, prior, options_.icp, weights);
   }
-  const FieldPoints in_cells = to_field_points(points, field_.resolution());
+  const FieldPoints in_cells = to_field_points(points, field_.resolution(), weights);
   ScanMatch match;
   if (options_.alignment == Alignment::hill_climbing) {
     match = match_scan(in_cells, field_, prior, options_.climb);

@@ -74,7 +74,7 @@ class IncrementalMatcher : public Estimator {
   int untrusted_scans() const { return untrusted_scans_; }
 
   // Where a scan would be put; it is not remembered.
-  ScanMatch match(const LaserScan& scan);
+  ScanMatch match(const LaserScan& scan, std::span<const float> beam_weights = {});
 
   // Goes on without the local map, but for its newest scan where that is kept: as after scans that
   // do not fit what was seen before.
@@ -88,11 +88,12 @@ class IncrementalMatcher : public Estimator {
     PosePrior prior;
     bool blind = false;  // without odometry
   };
-  void add_scan(const LaserScan& scan);
+  void add_scan(const LaserScan& scan, std::span<const float> beam_weights);
   std::optional<Pose2> odometry_at(double time) const;
   Prediction predicted(double time) const;
   PosePrior prediction(double time) const;
-  ScanMatch aligned(const std::vector<Eigen::Vector2d>& points, const PosePrior& prior, bool blind);
+  ScanMatch aligned(const std::vector<Eigen::Vector2d>& points, const std::vector<float>& weights,
+                    const PosePrior& prior, bool blind);
   void remember(const LaserScan& scan);
   void forget_oldest(std::size_t count);
   ScanMatch searched_widely(const FieldPoints& points, const ScanMatch& match) const;

@@ -94,7 +94,7 @@ ScanMatch match_scan_from(const Pose2& start, const FieldPoints& points, const L
 
   best.log_likelihood = map.sum_log_at(points, best.map_from_robot);
   best.inlier_ratio =
-      inlier_ratio(best.log_likelihood, double{map.outlier_log()} * best.points_used);
+      inlier_ratio(best.log_likelihood, double{map.outlier_log()} * points.total_weight());
   best.trustworthy = best.inlier_ratio >= options.min_inlier_ratio;
   return best;
 }
