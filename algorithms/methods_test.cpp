@@ -115,7 +115,9 @@ TEST_P(EveryMethod, WeighsBeamsByTheirWeights) {
   }
   expect_same_path(*full, *plain);
   const Pose2 by_half = half->estimate().trajectory.back().pose;
-  EXPECT_THAT(by_half, IsNear(plain->estimate().trajectory.back().pose, Tolerance{0.05, 0.02}));
+  // Particles are drawn: ends lie apart as odometry errs after the last update, sqrt(3) * 3 cm and
+  // sqrt(3) * 0.02 rad by drift, three sigmas.
+  EXPECT_THAT(by_half, IsNear(plain->estimate().trajectory.back().pose, Tolerance{0.15, 0.1}));
   if (GetParam() != "odometry") {  // the prediction counts twice as much
     EXPECT_NE(by_half, plain->estimate().trajectory.back().pose);
   }

@@ -66,13 +66,12 @@ class LikelihoodField {
   // Sum of log_at over the points, seen from a pose.
   double sum_log_at(const FieldPoints& points, const Pose2& map_from_robot) const;
 
-  // How log_at changes about a point, by the line (or the point) that the point is measured
-  // against; the slight pull along a line, which depends on where the mapped points happen to lie,
-  // is left out.
+  // How log_at changes about a point, by the line (or point) that it is measured against, without
+  // the slight pull along a line, which depends on where the mapped points happen to lie.
   struct Shape {
     Eigen::Vector2d slope = Eigen::Vector2d::Zero();  // [1/m]
-    Eigen::Matrix2d curvature =
-        Eigen::Matrix2d::Zero();  // [1/m^2] of -log_at, positive semidefinite
+    // [1/m^2] of -log_at, positive semidefinite
+    Eigen::Matrix2d curvature = Eigen::Matrix2d::Zero();
   };
   Shape shape_at(const Eigen::Vector2d& point) const;
 
