@@ -51,7 +51,8 @@ class Estimator {
   virtual ~Estimator() = default;
 
   // In order of time. `beam_weights`, in [0, 1], one for each beam of a scan, say how much the
-  // method shall believe of it: 0 is a beam that failed. Empty: all count fully.
+  // method shall believe of it: 0 is a beam that failed, less than 1 scales its term in likelihoods
+  // (maps take it in whole). Empty: all count fully.
   virtual void add(const Measurement& measurement, std::span<const float> beam_weights = {}) = 0;
 
   // Once, before the last estimate(): what a method does with all measurements together.

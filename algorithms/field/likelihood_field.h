@@ -35,7 +35,6 @@ struct FieldPoints {
   std::vector<float> y;
   std::vector<float> weights;  // in (0, 1]: how much each counts; empty: all count fully
   std::size_t size() const { return x.size(); }
-  float weight(std::size_t i) const { return weights.empty() ? 1.0F : weights[i]; }
   double total_weight() const;
 };
 
