@@ -143,6 +143,7 @@ TEST_F(ResultFolder, GivesBackRowsAndFiles) {
   ASSERT_EQ(read.claims.size(), 4u);
   EXPECT_EQ(read.claims[2].times, 0.1);
   EXPECT_EQ(run_words(read, read.runs[1]), "rotation sigma 2 deg, world a, b, matched, \"twice\"");
+  ASSERT_EQ(read.files.size(), 2u);
   EXPECT_EQ(read.files[0].title, "map");
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-// Levels of a sweep, two variants of which one's name ends like the other's, first seed 7.
+// Levels of a sweep, two variants, first seed 7.
 Results compared() {
   Results results{.seed = 7};
   results.axes = {axis_of("people", {"0", "5"})};
@@ -52,6 +52,20 @@ TEST(RunFiles, AreFoundByTheirNames) {
     EXPECT_EQ(found[0].run, run);
     EXPECT_EQ(found[0].title, "the map");
   }
+}
+
+// "raw" ends like "not raw".
+TEST(RunFiles, AreOfTheVariantWhoseWholeNameTheyHave) {
+  Results results{.seed = 7};
+  results.levels = levels_of({});
+  results.variants = {"not raw", "raw"};
+  results.runs = {{.run = 0, .variant = 0, .seed = 7}, {.run = 1, .variant = 1, .seed = 7}};
+  const std::vector<FileOfRun> found =
+      files_by_name({"maps/map_not_raw.png", "maps/map_raw.png"}, results);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].run, 0);
+  EXPECT_EQ(found[0].title, "map");
+  EXPECT_EQ(found[1].run, 1);
 }
 
 TEST(RunFiles, SortAsPeopleDo) {
