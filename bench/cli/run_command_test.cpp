@@ -25,9 +25,11 @@ constexpr const char* kDrives =
     "sweep: {robot.odometry.rotation_sigma: [0 deg, 3 deg]}\n"
     "compare: {raw: {estimator: odometry}, matched: {estimator: scan_matching}}\n"
     "seeds: 6\n"
-    "metrics: [translation_error, largest_error, failures, map_f1]\n"
+    "metrics: [translation_error, largest_error, failures, map_f1, position_error]\n"
+    "plots: [{kind: series, y: position_error}]\n"
     "claims: [{metric: failures, of: matched, at_most: raw},\n"
-    "         {metric: real_time_factor, of: matched, above: 1}]\n";
+    "         {metric: real_time_factor, of: matched, above: 1},\n"
+    "         {series: position_error, of: matched, at_most: 1 m, at: {time: 2 s}}]\n";
 
 class RunCommand : public CommandTest {
  protected:
@@ -38,7 +40,8 @@ class RunCommand : public CommandTest {
     return call(arguments);
   }
   void expect_same_results(const std::string& a, const std::string& b) const {
-    for (const char* name : {"config.yaml", "runs.csv", "summary.csv", "claims.csv"}) {
+    for (const char* name : {"config.yaml", "runs.csv", "summary.csv", "claims.csv", "series.csv",
+                             "files.csv", "figures/position_error.svg"}) {
       EXPECT_EQ(read_text_file(path(a + "/" + name)), read_text_file(path(b + "/" + name))) << name;
     }
     for (const auto& entry : fs::recursive_directory_iterator(path(a))) {
@@ -64,7 +67,8 @@ TEST_F(RunCommand, GivesTheSameBytesWithAnyNumberOfThreads) {
   const Results results = load_results(path("j1"));
   EXPECT_EQ(results.runs.size(), 24u);
   EXPECT_EQ(results.summary.size(), 2u * 2u * 4u);
-  EXPECT_EQ(results.verdicts.size(), 2u);
+  EXPECT_EQ(results.series.size(), 24u);
+  EXPECT_EQ(results.verdicts.size(), 3u);
   EXPECT_THAT(text("j1/claims.csv"), ::testing::Not(HasSubstr("real_time_factor")));
   EXPECT_THAT(text("j1/cost_claims.csv"), HasSubstr("real_time_factor of 'matched' is above 1"));
 }

@@ -30,6 +30,11 @@ TEST(PlotSpec, IsWrittenAsItIsRead) {
     const std::string text = plot_text(read(yaml));
     EXPECT_EQ(plot_text(read(text)), text);
   }
+  const std::string everything =
+      "{file: m, title: T, kind: heat_map, x: hits, y: misses, value: distance, lines_by: world, "
+      "variants: [odds], at: {world: [a]}, references: {p: 2 m}, log_x: true, log_y: false, "
+      "x_label: X, y_label: Y, value_label: V, thesis: F}";
+  EXPECT_EQ(plot_text(read(everything)), everything);
   const PlotSpec plot = read(plot_text(read("{y: distance, references: {'of 2009': 2 m}}")));
   ASSERT_EQ(plot.references.size(), 1u);
   EXPECT_EQ(plot.references[0].name, "of 2009");
