@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "core/sensor/measurement.h"
 
 namespace mapbed {
@@ -17,6 +19,8 @@ class Driver {
   virtual void add(const Measurement& measurement) = 0;  // in order of time
   virtual DriveCommand command(double time) = 0;         // asked regularly, time in [s] growing
   virtual bool is_done() const = 0;                      // the drive is over
+  // [s] a drive that takes longer has gone wrong.
+  virtual double longest_time() const { return std::numeric_limits<double>::infinity(); }
 };
 
 }  // namespace mapbed

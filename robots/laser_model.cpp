@@ -12,6 +12,10 @@ double LaserModel::beam_delay(int beam) const {
   return turns / mirror_rate;
 }
 
+double LaserModel::beam_period() const {
+  return interlace == 1 ? beam_delay(1) : 0.0;
+}
+
 double LaserModel::sweep_time() const {
   double last = 0.0;
   for (int beam = std::max(0, beams - interlace); beam < beams; ++beam) {

@@ -28,7 +28,7 @@ struct LaserNoise {
   double short_probability = 0.0001;    // something tiny in the way: dust, a fly, a reflection
   double random_probability = 0.00001;  // a reading anywhere in the measuring range
   MixedPixels mixed_pixels = MixedPixels::pulse;
-  double pulse_length = 0.45;  // [m] echoes closer than this melt into one (3 ns pulse: c t / 2)
+  double pulse_length = 0.45;  // [m] echoes closer than this merge into one (3 ns pulse: c t / 2)
   bool glass = true;           // panes let beams through by chance; false: they are walls
 };
 
@@ -48,9 +48,9 @@ struct LaserModel {
                                // of an edge
   LaserNoise noise;
 
-  // [s] of beam k after the first of its sweep.
-  double beam_delay(int beam) const;
-  double sweep_time() const;  // [s] from the first to the last beam in time
+  double beam_delay(int beam) const;  // [s] after the first beam of its sweep
+  double beam_period() const;  // [s] from each beam to the next; 0: all at once, or interlaced
+  double sweep_time() const;   // [s] from the first to the last beam in time
 };
 
 template <class Visitor>
@@ -69,7 +69,7 @@ void visit_fields(LaserNoise& o, Visitor&& visit) {
   visit("random_probability", o.random_probability, kShare, "a reading anywhere");
   visit("mixed_pixels", o.mixed_pixels, {"off", "weighted", "either", "pulse"},
         "what a beam on an edge returns");
-  visit("pulse_length", o.pulse_length, Unit::meter, kNotNegative, "closer echoes melt into one");
+  visit("pulse_length", o.pulse_length, Unit::meter, kNotNegative, "closer echoes merge into one");
   visit("glass", o.glass, "panes let beams through by chance; no: they are walls");
 }
 

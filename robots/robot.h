@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "core/config/option.h"
-#include "core/geometry/pose2.h"
+#include "core/sensor/mount.h"
 #include "robots/drive_model.h"
-#include "robots/laser_model.h"
 #include "robots/odometry_model.h"
+#include "robots/sensor_model.h"
 
 namespace mapbed {
 
@@ -21,13 +21,12 @@ struct RobotFootprint {
   double inner_radius() const;  // [m] of the largest circle in it
 };
 
-// A laser on the robot. Lasers keep the order of the robot's file: 0 front, 1 rear, …
-struct MountedLaser {
-  std::string name;        // "front"
-  std::string sensor;      // the sensor file's name, "sick_lms200"
-  Pose2 robot_from_laser;  // [m], [rad]
-  double height = 0.4;     // [m] of the scan plane above the floor
-  LaserModel model;
+// A sensor on the robot.
+struct MountedSensor {
+  std::string name;  // "front"
+  std::string file;  // the sensor file's name or path, "sick_lms200"
+  Mount robot_from_sensor{.planar = {}, .z = 0.4};
+  SensorModel model;
 };
 
 // What drives: a data file in robots/, sensors by name from robots/sensors/.
@@ -39,14 +38,36 @@ struct Robot {
   RobotFootprint footprint;
   DriveModel drive;
   OdometryModel odometry;
-  std::vector<MountedLaser> lasers;
+  std::vector<MountedSensor> sensors;  // in the order of the robot's file
 };
+
+// A laser of a robot, taken out of its sensors.
+struct MountedLaser {
+  Mount robot_from_laser{.planar = {}, .z = 0.4};
+  LaserModel model;
+};
+// In the order of the robot's file, as LaserScan::laser counts them: 0 front, 1 rear, …
+std::vector<MountedLaser> lasers_of(const Robot& robot);
 
 template <class Visitor>
 void visit_fields(RobotFootprint& o, Visitor&& visit) {
   visit("radius", o.radius, Unit::meter, kNotNegative, "of a round robot; 0: a box");
   visit("length", o.length, Unit::meter, kNotNegative, "of the box, along x");
   visit("width", o.width, Unit::meter, kNotNegative, "of the box, along y");
+}
+
+// The mount, then all that its model has.
+template <class Visitor>
+void visit_fields(MountedSensor& o, Visitor&& visit) {
+  Mount& mount = o.robot_from_sensor;
+  visit("x", mount.planar.x, Unit::meter, "ahead of the robot's origin");
+  visit("y", mount.planar.y, Unit::meter, "to the left of it");
+  visit("heading", mount.planar.theta, Unit::radian, "where it looks, counter-clockwise");
+  visit("z", mount.z, Unit::meter, kPositive, "above the floor");
+  visit("pitch", mount.pitch, Unit::radian, between(-1.5707963267948966, 1.5707963267948966),
+        "positive: it looks down");
+  visit("roll", mount.roll, Unit::radian, "about the axis along which it looks");
+  std::visit([&](auto& model) { visit_fields(model, visit); }, o.model);
 }
 
 template <class Visitor>
@@ -57,15 +78,13 @@ void visit_fields(Robot& o, Visitor&& visit) {
   visit("footprint", o.footprint, "outline seen from above");
   visit("drive", o.drive, "how it moves");
   visit("odometry", o.odometry, "what it thinks how it moved");
-  for (MountedLaser& laser : o.lasers) visit(laser.name, laser.model, "a laser range finder");
+  for (MountedSensor& sensor : o.sensors) visit(sensor.name, sensor, "a sensor and its mount");
 }
 
 // By name (robots/NAME.yaml) or by the path of a robot file. Throws InputError with place, reason
 // and remedy.
 Robot load_robot(const std::string& name_or_path);
-LaserModel load_laser(const std::string& name_or_path);
 
 std::vector<std::string> robot_names();
-std::vector<std::string> sensor_names();
 
 }  // namespace mapbed

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/config/settings.h"
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
 
@@ -45,7 +46,7 @@ TEST(Robot, EveryShippedRobotAndSensorLoads) {
     const Robot robot = load_robot(name);
     EXPECT_EQ(robot.name, name);
     EXPECT_GT(robot.footprint.reach(), 0.0);
-    EXPECT_FALSE(robot.lasers.empty());
+    EXPECT_FALSE(lasers_of(robot).empty());
   }
   for (const std::string& name : sensor_names()) EXPECT_GT(load_laser(name).beams, 0);
 }
@@ -55,8 +56,9 @@ TEST(Robot, TakesWhatItsFileSaysInSiUnits) {
 mass: 20 kg
 footprint: {length: 50 cm, width: 400 mm}
 drive: {kind: synchro, max_turn_speed: 90 deg/s}
-lasers:
-  - {name: front, sensor: sick_lms200, x: 10 cm, heading: 180 deg, scan_rate: 10 Hz}
+sensors:
+  - {name: front, sensor: sick_lms200, x: 10 cm, heading: 180 deg, pitch: 10 deg,
+     scan_rate: 10 Hz}
 )");
   const Robot robot = load_robot(file.path());
 
@@ -64,11 +66,16 @@ lasers:
   EXPECT_DOUBLE_EQ(robot.footprint.reach(), std::hypot(0.5, 0.4) / 2.0);
   EXPECT_EQ(robot.drive.kind, DriveKind::synchro);
   EXPECT_NEAR(robot.drive.max_turn_speed, kPi / 2.0, 1e-12);
-  ASSERT_EQ(robot.lasers.size(), 1u);
-  EXPECT_DOUBLE_EQ(robot.lasers[0].robot_from_laser.x, 0.1);
-  EXPECT_NEAR(robot.lasers[0].robot_from_laser.theta, kPi, 1e-12);
-  EXPECT_EQ(robot.lasers[0].model.beams, 180);              // from the sensor's file
-  EXPECT_DOUBLE_EQ(robot.lasers[0].model.scan_rate, 10.0);  // and what differs from it
+  ASSERT_EQ(robot.sensors.size(), 1u);
+  EXPECT_EQ(robot.sensors[0].name, "front");
+  EXPECT_EQ(robot.sensors[0].file, "sick_lms200");
+  const MountedLaser laser = lasers_of(robot).at(0);
+  EXPECT_DOUBLE_EQ(laser.robot_from_laser.planar.x, 0.1);
+  EXPECT_NEAR(laser.robot_from_laser.planar.theta, kPi, 1e-12);
+  EXPECT_DOUBLE_EQ(laser.robot_from_laser.z, 0.4);
+  EXPECT_NEAR(laser.robot_from_laser.pitch, radians(10.0), 1e-12);
+  EXPECT_EQ(laser.model.beams, 180);              // from the sensor's file
+  EXPECT_DOUBLE_EQ(laser.model.scan_rate, 10.0);  // and what differs from it
 }
 
 TEST(Robot, AMisspeltNameGetsASuggestion) {
@@ -96,7 +103,7 @@ TEST(Robot, AnUnknownKeyIsRefusedWithPlaceAndRemedy) {
 }
 
 TEST(Robot, AnUnknownSensorIsRefusedWithPlaceAndRemedy) {
-  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nlasers:\n- {name: a, sensor: sick_lms20}\n"),
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nsensors:\n- {name: a, sensor: sick_lms20}\n"),
               AllOf(HasSubstr(".yaml:3: unknown sensor 'sick_lms20'"),
                     HasSubstr("did you mean 'sick_lms200'?")));
 }
@@ -109,24 +116,53 @@ TEST(Robot, AFootprintIsACircleOrABox) {
 }
 
 TEST(Robot, TwoLasersOfOneNameAreRefused) {
-  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nlasers:\n- {name: a, sensor: sick_lms200}\n"
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nsensors:\n- {name: a, sensor: sick_lms200}\n"
                        "- {name: a, sensor: sick_lms200}\n"),
-              HasSubstr(".yaml:4: a second laser is called 'a'"));
+              HasSubstr(".yaml:4: a second sensor is called 'a'"));
 }
 
 TEST(Robot, NegativeAndSenselessValuesAreRefused) {
   EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nmass: -3 kg\n"), HasSubstr(".yaml:2:"));
   EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nmass: 3 cm\n"), HasSubstr(".yaml:2:"));
-  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nlasers:\n"
-                       "- {name: a, sensor: sick_lms200, height: -1 m}\n"),
-              HasSubstr("height is not above the floor"));
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nsensors:\n"
+                       "- {name: a, sensor: sick_lms200, z: -1 m}\n"),
+              HasSubstr(".yaml:3:"));
+}
+
+TEST(Robot, OldNamesAreRefusedWithTheNewOnes) {
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nlasers:\n- {name: a, sensor: sick_lms200}\n"),
+              HasSubstr(".yaml:3: 'lasers' is now 'sensors'"));
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nsensors:\n"
+                       "- {name: a, sensor: sick_lms200, height: 1 m}\n"),
+              HasSubstr(".yaml:3: 'height' is now 'z'"));
+}
+
+TEST(Robot, SettingsReachItsSensorsByTheirNames) {
+  Robot robot = load_robot("pioneer");
+  apply({parse_setting("front.noise.bias=3 cm"), parse_setting("front.pitch=5 deg")},
+        options_of(robot), "the robot");
+  EXPECT_DOUBLE_EQ(lasers_of(robot)[0].model.noise.bias, 0.03);
+  EXPECT_NEAR(lasers_of(robot)[0].robot_from_laser.pitch, radians(5.0), 1e-12);
+}
+
+TEST(Robot, AFileSaysWhatKindOfSensorItIs) {
+  const RobotFile laser("kind: laser\nbeams: 2\n");
+  EXPECT_EQ(std::get<LaserModel>(load_sensor(laser.path())).beams, 2);
+  const RobotFile other("about: a nose\nkind: lasr\n");
+  try {
+    load_sensor(other.path());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr(".yaml:2: unknown kind 'lasr' of a sensor; did you mean 'laser'?"));
+  }
 }
 
 TEST(Robot, ALaserCannotSweepFasterThanItsMirrorTurns) {
-  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nlasers:\n"
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nsensors:\n"
                        "- {name: a, sensor: sick_lms200, scan_rate: 76 Hz}\n"),
               HasSubstr(".yaml:3: sweeps come faster than the mirror turns; lower scan_rate"));
-  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nlasers:\n"
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\nsensors:\n"
                        "- {name: a, sensor: sick_lms200, scan_rate: 75 Hz}\n"),
               HasSubstr("no error"));
 }

@@ -1,44 +1,47 @@
 #include "sim/recorder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <optional>
 
-#include "core/check.h"
-#include "sim/noise/laser_noise.h"
-#include "sim/noise/odometry_noise.h"
+#include "sim/noise/sensor_noise.h"
 
 namespace mapbed {
 namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 IdealOdometry odometry_of(const Situation& s) {
   return {s.time, s.robot, s.wheels, s.motors.forward_velocity, s.motors.turn_velocity};
 }
 
-// Sweeps and odometry readings that are over, in order of their stamps.
+// Sweeps and odometry readings in order of their stamps, each as soon as it is over.
 class Schedule {
  public:
-  explicit Schedule(const Robot& robot) : robot_(robot), next_(robot.lasers.size() + 1, 0) {}
+  explicit Schedule(const Robot& robot)
+      : lasers_(lasers_of(robot)), odometry_rate_(robot.odometry.rate), next_(lasers_.size() + 1) {}
 
   struct Event {
-    double start;  // [s] of the sweep
-    double stamp;  // [s]
-    int laser;     // -1: odometry of its own
-    std::uint64_t number;
+    double start = 0.0;  // [s] of the sweep
+    double stamp = 0.0;  // [s]
+    double end = 0.0;    // [s] of the sweep
+    int laser = -1;      // -1: odometry of its own
+    std::uint64_t number = 0;
   };
 
-  // The next event whose sweep is over at `now`; laser -2 where there is none.
-  Event next(double now) {
-    Event best{0.0, now + 1.0, -2, 0};
+  // The event that is next, if it is over at `now`. One that comes later waits even where it is
+  // over first.
+  std::optional<Event> next(double now) {
+    Event best{.stamp = kNever, .end = kNever};
     std::size_t best_source = 0;
     for (std::size_t source = 0; source < next_.size(); ++source) {
       const Event event = event_of(source);
-      if (event.laser == -1 && robot_.odometry.rate <= 0.0) continue;
-      if (end_of(event) > now + 1e-9 || event.stamp >= best.stamp) continue;
+      if (event.stamp >= best.stamp) continue;
       best = event;
       best_source = source;
     }
-    if (best.laser != -2) ++next_[best_source];
+    if (best.end > now + 1e-9) return {};
+    ++next_[best_source];
     return best;
   }
 
@@ -46,113 +49,95 @@ class Schedule {
   Event event_of(std::size_t source) const {
     const std::uint64_t number = next_[source];
     const double k = static_cast<double>(number);
-    if (source == robot_.lasers.size()) {
-      const double stamp = robot_.odometry.rate > 0.0 ? k / robot_.odometry.rate : 0.0;
-      return {stamp, stamp, -1, number};
+    if (source == lasers_.size()) {
+      const double stamp = odometry_rate_ > 0.0 ? k / odometry_rate_ : kNever;
+      return {stamp, stamp, stamp, -1, number};
     }
-    const LaserModel& model = robot_.lasers[source].model;
+    const LaserModel& model = lasers_[source].model;
     const double start = k / model.scan_rate;
-    return {start, start + model.sweep_time() / 2.0, static_cast<int>(source), number};
-  }
-  double end_of(const Event& e) const {
-    if (e.laser < 0) return e.stamp;
-    return e.start + robot_.lasers[static_cast<std::size_t>(e.laser)].model.sweep_time();
+    return {start, start + model.sweep_time() / 2.0, start + model.sweep_time(),
+            static_cast<int>(source), number};
   }
 
-  const Robot& robot_;
+  std::vector<MountedLaser> lasers_;
+  double odometry_rate_;             // [Hz] 0: none of its own
   std::vector<std::uint64_t> next_;  // number of each laser's next sweep; odometry last
 };
 
 class Recorder {
  public:
-  Recorder(Simulation& simulation, Driver& driver, const RecorderOptions& options, const Rng& rng)
+  Recorder(Simulation& simulation, Driver& driver, const RecorderOptions& options, const Rng& rng,
+           const RecordingSink& sink)
       : simulation_(simulation),
         driver_(driver),
         options_(options),
-        rng_(rng),
+        sink_(sink),
         schedule_(simulation.robot()),
-        reader_(simulation.robot().odometry, rng) {}
+        noise_(simulation.robot(), rng) {}
 
-  Recording run() {
-    Truth& truth = recording_.truth;
-    truth.world = simulation_.world().name;
-    truth.robot = simulation_.robot().name;
-    truth.entities = simulation_.entities();
-    for (const Material& m : simulation_.world().materials) truth.materials.push_back(m.name);
-
+  bool run() {
     take_readings();
     while (!driver_.is_done() && simulation_.now().time < options_.longest) {
       simulation_.step(driver_.command(simulation_.now().time));
       take_readings();
     }
-    recording_.is_complete = driver_.is_done();
-    return std::move(recording_);
+    return driver_.is_done();
   }
 
  private:
   void take_readings() {
-    for (;;) {
-      const Schedule::Event event = schedule_.next(simulation_.now().time);
-      if (event.laser == -2) return;
-      add_odometry(event.stamp);
-      if (event.laser >= 0) add_sweep(event);
+    while (const auto event = schedule_.next(simulation_.now().time)) {
+      const Situation situation = simulation_.at(event->stamp);
+      const double time = situation.time + options_.first_stamp;
+      if (time != last_odometry_) {
+        IdealOdometry reading = odometry_of(situation);
+        reading.time = last_odometry_ = time;
+        take(reading);
+      }
+      if (event->laser >= 0) take_sweep(*event, situation);
     }
   }
 
-  void add_odometry(double stamp) {
-    IdealOdometry reading = odometry_of(simulation_.at(stamp));
-    reading.time += options_.first_stamp;
-    if (!recording_.odometry.empty() && recording_.odometry.back().time == reading.time) return;
-    recording_.odometry.push_back(reading);
-    if (options_.tells_driver) driver_.add(reader_.read(reading));
-  }
-
-  void add_sweep(const Schedule::Event& event) {
+  void take_sweep(const Schedule::Event& event, const Situation& situation) {
     Simulation::Sweep sweep = simulation_.sweep(event.laser, event.start, event.number);
     // Exactly the stamp of the odometry reading that belongs to it.
-    sweep.ideal.time = sweep.truth.time = recording_.odometry.back().time;
-    if (options_.tells_driver) {
-      const auto& laser = simulation_.robot().lasers[static_cast<std::size_t>(event.laser)];
-      driver_.add(with_noise(sweep.ideal, laser, rng_));
+    sweep.ideal.time = sweep.truth.time = last_odometry_;
+    if (last_states_ != last_odometry_) {
+      last_states_ = last_odometry_;
+      sink_.states({last_states_, situation.robot, situation.moving});
     }
-    recording_.scans.push_back(std::move(sweep.ideal));
-    recording_.truth.scans.push_back(std::move(sweep.truth));
+    sink_.beams(std::move(sweep.truth));
+    take(std::move(sweep.ideal));
+  }
+
+  void take(IdealReading reading) {
+    if (options_.tells_driver) driver_.add(noise_.read(reading));
+    sink_.reading(std::move(reading));
   }
 
   Simulation& simulation_;
   Driver& driver_;
   RecorderOptions options_;
-  Rng rng_;
+  const RecordingSink& sink_;
   Schedule schedule_;
-  OdometryReader reader_;
-  Recording recording_;
+  SensorNoise noise_;
+  double last_odometry_ = -kNever;  // [s] its stamp
+  double last_states_ = -kNever;    // [s]
 };
 
 }  // namespace
 
-Recording record(Simulation& simulation, Driver& driver, const RecorderOptions& options,
-                 const Rng& rng) {
-  return Recorder(simulation, driver, options, rng).run();
+bool record(Simulation& simulation, Driver& driver, const RecorderOptions& options, const Rng& rng,
+            const RecordingSink& sink) {
+  return Recorder(simulation, driver, options, rng, sink).run();
 }
 
-SensorLog with_noise(const Recording& recording, const Robot& robot, const Rng& rng) {
-  const std::vector<Odometry> odometry = with_noise(recording.odometry, robot.odometry, rng);
-  SensorLog log;
-  log.reserve(odometry.size() + recording.scans.size());
-  std::size_t scan = 0;
-  const auto add_scans_before = [&](double time) {
-    for (; scan < recording.scans.size() && recording.scans[scan].time < time; ++scan) {
-      const IdealScan& ideal = recording.scans[scan];
-      CHECK(static_cast<std::size_t>(ideal.laser) < robot.lasers.size());
-      log.push_back(with_noise(ideal, robot.lasers[static_cast<std::size_t>(ideal.laser)], rng));
-    }
-  };
-  for (const Odometry& reading : odometry) {
-    add_scans_before(reading.time);
-    log.push_back(reading);
-  }
-  add_scans_before(std::numeric_limits<double>::infinity());
-  return log;
+Recording record(Simulation& simulation, Driver& driver, const RecorderOptions& options,
+                 const Rng& rng) {
+  Recording recording;
+  static_cast<TruthHeader&>(recording.truth) = simulation.truth_header();
+  recording.is_complete = record(simulation, driver, options, rng, sink_into(recording));
+  return recording;
 }
 
 }  // namespace mapbed

@@ -5,7 +5,8 @@
 #include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
 #include "core/testing/throws_input_error.h"
-#include "sim/scripted_driver.h"
+#include "sim/drivers/scripted_driver.h"
+#include "sim/noise/sensor_noise.h"
 #include "sim/testing/small_world.h"
 
 namespace mapbed {
@@ -26,12 +27,25 @@ Robot small_robot() {
   robot.mass = 20.0;
   robot.height = 0.5;
   robot.footprint.radius = 0.25;
-  MountedLaser& laser = robot.lasers.emplace_back();
-  laser.name = "front";
-  laser.height = 0.35;
-  laser.model.beams = 60;
-  laser.model.bearing_step = radians(3.0);
+  LaserModel laser;
+  laser.beams = 60;
+  laser.bearing_step = radians(3.0);
+  robot.sensors = {{.name = "front", .robot_from_sensor = {.z = 0.35}, .model = laser}};
   return robot;
+}
+
+LaserModel& laser_of(Robot& robot) {
+  return std::get<LaserModel>(robot.sensors[0].model);
+}
+
+// All readings of one kind.
+template <class Kind>
+std::vector<Kind> all_of(const Recording& recording) {
+  std::vector<Kind> found;
+  for (const IdealReading& reading : recording.readings) {
+    if (const auto* one = std::get_if<Kind>(&reading)) found.push_back(*one);
+  }
+  return found;
 }
 
 struct Drive {
@@ -42,29 +56,30 @@ struct Drive {
 Drive recorded(const World& world, const Robot& robot, const CrowdOptions& people,
                std::uint64_t seed, const RecorderOptions& options = {}) {
   const Rng rng(seed);
-  Simulation simulation(world, robot, start_of(world.paths[0]), {.people = people}, rng);
+  Simulation simulation(world, robot, start_of(world.paths[0]), {.actors = {.people = people}},
+                        rng);
   ScriptedDriver driver(simulation, world.paths[0]);
   RecorderOptions bounded = options;
   bounded.longest = std::min(bounded.longest, driver.longest_time());
   Recording recording = record(simulation, driver, bounded, rng);
-  SensorLog log = with_noise(recording, robot, rng);
+  SensorLog log = with_noise(recording.readings, robot, rng);
   return {std::move(recording), std::move(log)};
 }
 
 TEST(Recorder, TheDriverFollowsItsPathToTheEnd) {
   const Drive run = recorded(room_with_path(), small_robot(), {}, 1);
   EXPECT_TRUE(run.recording.is_complete);
-  const Pose2 end = run.recording.truth.scans.back().world_from_robot;
+  const Pose2 end = run.recording.truth.states.back().world_from_robot;
   EXPECT_LT((end.position() - Eigen::Vector2d(6.5, 4.0)).norm(), 0.25);
-  for (const TruthScan& scan : run.recording.truth.scans) {
-    EXPECT_GT(scan.world_from_robot.y, 0.8);  // never far off its straight legs
-    EXPECT_LT(scan.world_from_robot.x, 6.8);
+  for (const StampedStates& states : run.recording.truth.states) {
+    EXPECT_GT(states.world_from_robot.y, 0.8);  // never far off its straight legs
+    EXPECT_LT(states.world_from_robot.x, 6.8);
   }
 }
 
 TEST(Recorder, EveryScanHasOdometryOfItsStampBeforeIt) {
   const Drive run = recorded(room_with_path(), small_robot(), {}, 1);
-  ASSERT_EQ(run.log.size(), 2 * run.recording.scans.size());
+  ASSERT_EQ(run.log.size(), 2 * run.recording.truth.beams.size());
   for (std::size_t i = 0; i + 1 < run.log.size(); i += 2) {
     ASSERT_TRUE(std::holds_alternative<Odometry>(run.log[i]));
     ASSERT_TRUE(std::holds_alternative<LaserScan>(run.log[i + 1]));
@@ -74,7 +89,7 @@ TEST(Recorder, EveryScanHasOdometryOfItsStampBeforeIt) {
 
 TEST(Recorder, ScansComeAtTheLasersRate) {
   const Drive run = recorded(room_with_path(), small_robot(), {}, 1);
-  const auto& scans = run.recording.scans;
+  const std::vector<IdealScan> scans = all_of<IdealScan>(run.recording);
   for (std::size_t i = 1; i < scans.size(); ++i) {
     EXPECT_NEAR(scans[i].time - scans[i - 1].time, 0.2, 1e-9);
   }
@@ -82,7 +97,7 @@ TEST(Recorder, ScansComeAtTheLasersRate) {
 
 TEST(Recorder, TheTruthIsWhatABeamReadsWithoutNoise) {
   Robot robot = small_robot();
-  LaserNoise& noise = robot.lasers[0].model.noise;
+  LaserNoise& noise = laser_of(robot).noise;
   noise = {.sigma_near = 0.0,
            .sigma_far = 0.0,
            .step = 0.0,
@@ -96,7 +111,7 @@ TEST(Recorder, TheTruthIsWhatABeamReadsWithoutNoise) {
   for (const Measurement& m : run.log) {
     const auto* reading = std::get_if<LaserScan>(&m);
     if (reading == nullptr) continue;
-    const TruthScan& truth = run.recording.truth.scans[scan++];
+    const BeamTruthOfScan& truth = run.recording.truth.beams[scan++];
     for (std::size_t k = 0; k < reading->ranges.size(); ++k) {
       const double expected = std::min<double>(truth.beams[k].range, reading->max_range);
       ASSERT_NEAR(reading->ranges[k], expected, 1e-6);
@@ -109,17 +124,17 @@ TEST(Recorder, BeamsOnPeopleAreLabelledAsSuch) {
   const Truth& truth = run.recording.truth;
   std::size_t on_walkers = 0;
   std::size_t on_standing = 0;
-  for (const TruthScan& scan : truth.scans) {
+  for (const BeamTruthOfScan& scan : truth.beams) {
     for (const BeamTruth& beam : scan.beams) {
       if (beam.entity < 0) continue;
       const TruthEntity& entity = truth.entities[static_cast<std::size_t>(beam.entity)];
       if (entity.kind != EntityKind::person) {
-        EXPECT_FALSE(beam.is_moving);
+        EXPECT_EQ(beam.motion, Motion::still);
         continue;
       }
       EXPECT_LE(beam.part, 1);  // a leg: the laser is below the trunk
       if (entity.name == "person 3") ++on_standing;
-      if (entity.name != "person 3" && beam.is_moving) ++on_walkers;
+      if (entity.name != "person 3" && beam.motion == Motion::moving) ++on_walkers;
     }
   }
   EXPECT_GT(on_walkers, 10u);
@@ -130,7 +145,15 @@ TEST(Recorder, TheSameSeedGivesTheSameLogAndTruth) {
   const CrowdOptions people{.walkers = 2, .standing = 1};
   const Drive a = recorded(room_with_path(), small_robot(), people, 5);
   const Drive b = recorded(room_with_path(), small_robot(), people, 5);
-  EXPECT_EQ(truth_text(a.recording.truth), truth_text(b.recording.truth));
+  const auto poses = [](const Drive& drive) {
+    std::vector<Pose3> all;
+    for (const StampedStates& states : drive.recording.truth.states) {
+      for (const MovingPose& p : states.moving) all.push_back(p.world_from_part);
+    }
+    return all;
+  };
+  EXPECT_FALSE(poses(a).empty());
+  EXPECT_EQ(poses(a), poses(b));
   ASSERT_EQ(a.log.size(), b.log.size());
   for (std::size_t i = 1; i < a.log.size(); i += 2) {
     ASSERT_EQ(std::get<LaserScan>(a.log[i]).ranges, std::get<LaserScan>(b.log[i]).ranges);
@@ -142,11 +165,13 @@ TEST(Recorder, TheSameSeedGivesTheSameLogAndTruth) {
 TEST(Recorder, ThePersonWhoStandsAsideChangesOnlyTheBeamsThatMeetHim) {
   const Drive without = recorded(room_with_path(), small_robot(), {}, 5);
   const Drive with = recorded(room_with_path(), small_robot(), {.standing = 1}, 5);
-  const std::size_t scans = std::min(without.recording.scans.size(), with.recording.scans.size());
+  const auto scans_without = all_of<IdealScan>(without.recording);
+  const auto scans_with = all_of<IdealScan>(with.recording);
+  const std::size_t scans = std::min(scans_without.size(), scans_with.size());
   std::size_t same = 0;
   for (std::size_t s = 0; s < scans; ++s) {
-    if (with.recording.truth.scans[s].world_from_robot !=
-        without.recording.truth.scans[s].world_from_robot) {
+    if (with.recording.truth.states[s].world_from_robot !=
+        without.recording.truth.states[s].world_from_robot) {
       break;  // the driver made way
     }
     ASSERT_EQ(std::get<Odometry>(without.log[2 * s]).odometry_from_robot,
@@ -154,8 +179,8 @@ TEST(Recorder, ThePersonWhoStandsAsideChangesOnlyTheBeamsThatMeetHim) {
     const auto& a = std::get<LaserScan>(without.log[2 * s + 1]).ranges;
     const auto& b = std::get<LaserScan>(with.log[2 * s + 1]).ranges;
     for (std::size_t k = 0; k < a.size(); ++k) {
-      const auto ideal_a = without.recording.scans[s].beam(k);
-      const auto ideal_b = with.recording.scans[s].beam(k);
+      const auto ideal_a = scans_without[s].beam(k);
+      const auto ideal_b = scans_with[s].beam(k);
       if (ideal_a.size() != 1 || ideal_b.size() != 1) continue;
       if (ideal_a[0].range != ideal_b[0].range) continue;
       ASSERT_EQ(a[k], b[k]);
@@ -183,7 +208,7 @@ TEST(Recorder, WhatTheDriverIsToldIsWhatTheLogSays) {
   Simulation simulation(world, robot, start_of(world.paths[0]), {}, rng);
   Listener listener;
   const Recording recording = record(simulation, listener, {.tells_driver = true}, rng);
-  const SensorLog log = with_noise(recording, robot, rng);
+  const SensorLog log = with_noise(recording.readings, robot, rng);
   ASSERT_EQ(listener.heard.size(), log.size());
   for (std::size_t i = 1; i < log.size(); i += 2) {
     EXPECT_EQ(std::get<LaserScan>(listener.heard[i]).ranges, std::get<LaserScan>(log[i]).ranges);
@@ -203,7 +228,7 @@ TEST(Simulation, EveryBeamOfATurningRobotHasItsOwnPose) {
   Robot robot = small_robot();
   robot.drive.kind = DriveKind::synchro;
   robot.drive.turn_acceleration = 100.0;
-  robot.lasers[0].model.mirror_rate = 20.0;  // a slow one: half a turn takes 25 ms
+  laser_of(robot).mirror_rate = 20.0;  // a slow one: half a turn takes 25 ms
   const World world = small_room(8.0, 8.0);
   Simulation simulation(world, robot, {4.0, 4.0, 0.0}, {}, Rng(1));
   for (int i = 0; i < 100; ++i) simulation.step({.turn_velocity = 1.0});
@@ -211,10 +236,9 @@ TEST(Simulation, EveryBeamOfATurningRobotHasItsOwnPose) {
   const Simulation::Sweep sweep = simulation.sweep(0, start, 0);
   // The axis of beam k leaves at its own heading: from the middle of the room, ranges tell it.
   for (std::size_t k = 0; k < 60; ++k) {
-    const Pose2 pose =
-        simulation.at(start + robot.lasers[0].model.beam_delay(static_cast<int>(k))).robot;
+    const Pose2 pose = simulation.at(start + laser_of(robot).beam_delay(static_cast<int>(k))).robot;
     const double heading =
-        pose.theta + robot.lasers[0].model.first_bearing + radians(3.0 * static_cast<double>(k));
+        pose.theta + laser_of(robot).first_bearing + radians(3.0 * static_cast<double>(k));
     const double c = std::cos(heading);
     const double s = std::sin(heading);
     const double to_x = c > 0 ? (8.0 - pose.x) / c : -pose.x / c;

@@ -8,20 +8,17 @@
 #include <fmt/format.h>
 
 #include "core/check.h"
-#include "core/geometry/angle.h"
 #include "core/input_error.h"
-#include "sim/actors/doors.h"
-#include "sim/actors/person_body.h"
 #include "sim/physics/planar_physics.h"
 #include "sim/scene/scene.h"
+#include "sim/sensors/ideal_laser.h"
 #include "worlds/geometry/footprint.h"
 
 namespace mapbed {
 namespace {
 
-constexpr double kOverTheFloor = 0.02;   // [m] what is lower is walked and driven over
-constexpr double kHeadHeight = 1.9;      // [m] people walk under what is higher
-constexpr double kLeafThickness = 0.04;  // [m]
+constexpr double kOverTheFloor = 0.02;  // [m] what is lower is walked and driven over
+constexpr double kHeadHeight = 1.9;     // [m] people walk under what is higher
 
 void check_start(const World& world, const Robot& robot, const Pose2& start) {
   for (const Footprint& f : footprints(world, kOverTheFloor, robot.height)) {
@@ -35,40 +32,57 @@ void check_start(const World& world, const Robot& robot, const Pose2& start) {
   }
 }
 
-double between(double a, double b, double share) {
-  return a + share * (b - a);
+MovingPose between(const MovingPose& a, const MovingPose& b, double fraction) {
+  MovingPose result = b;
+  if (a.world_from_part == b.world_from_part) return result;
+  result.world_from_part = interpolate(a.world_from_part, b.world_from_part, fraction);
+  return result;
 }
 
-PersonView between(const PersonView& a, const PersonView& b, double share) {
-  PersonView result = b;
-  result.pose = interpolate(a.pose, b.pose, share);
-  for (std::size_t leg = 0; leg < 2; ++leg) {
-    result.legs[leg] = a.legs[leg] + share * (b.legs[leg] - a.legs[leg]);
+Situation between(const Situation& a, const Situation& b, double fraction) {
+  Situation result;
+  result.time = a.time + fraction * (b.time - a.time);
+  result.robot = interpolate(a.robot, b.robot, fraction);
+  result.wheels = interpolate(a.wheels, b.wheels, fraction);
+  result.motors = b.motors;
+  result.moving.reserve(b.moving.size());
+  for (std::size_t i = 0; i < b.moving.size(); ++i) {
+    result.moving.push_back(between(a.moving[i], b.moving[i], fraction));
   }
   return result;
 }
 
-Situation between(const Situation& a, const Situation& b, double share) {
-  Situation result = b;
-  result.time = between(a.time, b.time, share);
-  result.robot = interpolate(a.robot, b.robot, share);
-  result.wheels = interpolate(a.wheels, b.wheels, share);
-  for (std::size_t i = 0; i < b.people.size(); ++i) {
-    result.people[i] = between(a.people[i], b.people[i], share);
-  }
-  for (std::size_t i = 0; i < b.leaves.size(); ++i) {
-    result.leaves[i] = interpolate(a.leaves[i], b.leaves[i], share);
-  }
-  return result;
-}
-
-RobotView view_of(const Robot& robot, const Pose2& pose, const Twist2& velocity) {
+Obstacle circle_around(const Robot& robot, const Pose2& pose, const Twist2& velocity) {
   const double c = std::cos(pose.theta);
   const double s = std::sin(pose.theta);
-  return {pose,
-          {c * velocity.forward - s * velocity.left, s * velocity.forward + c * velocity.left},
-          robot.footprint.reach()};
+  return {.pose = pose,
+          .velocity = {c * velocity.forward - s * velocity.left,
+                       s * velocity.forward + c * velocity.left},
+          .radius = robot.footprint.reach()};
 }
+
+// How things move at one moment, by entity and part.
+class Motions {
+ public:
+  Motions(std::size_t entities, const std::vector<MovingPose>& moving)
+      : moving_(moving), first_(entities, kNone) {
+    for (std::size_t i = moving.size(); i-- > 0;) {
+      first_[static_cast<std::size_t>(moving[i].entity)] =
+          i - static_cast<std::size_t>(moving[i].part);
+    }
+  }
+
+  Motion of(int entity, int part) const {
+    if (entity < 0) return Motion::still;
+    const std::size_t first = first_[static_cast<std::size_t>(entity)];
+    return first == kNone ? Motion::still : moving_[first + static_cast<std::size_t>(part)].motion;
+  }
+
+ private:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  const std::vector<MovingPose>& moving_;
+  std::vector<std::size_t> first_;  // place of each entity's first part in moving_
+};
 
 }  // namespace
 
@@ -77,36 +91,41 @@ struct Simulation::State {
         const Rng& rng)
       : world(w),
         robot(r),
+        lasers(lasers_of(r)),
         options(o),
-        plan(world, kOverTheFloor, robot.height),
-        walking_plan(world, kOverTheFloor, kHeadHeight),
+        map(world, kOverTheFloor, robot.height),
         physics(world, robot, start, rng.stream("robot")),
-        doors(world, rng.stream("doors")),
-        crowd(world, walking_plan, view_of(robot, start, {}), options.people, rng.stream("people")),
+        actors(make_actors(world, NavigationMap(world, kOverTheFloor, kHeadHeight),
+                           circle_around(robot, start, {}), options.actors, rng)),
         scene(world) {
-    for (const MountedLaser& laser : robot.lasers) {
+    for (const MountedLaser& laser : lasers) {
       history_length = std::max(history_length, laser.model.sweep_time() + options.step);
     }
+    for (const auto& actor : actors) {
+      for (const Entity& entity : actor->entities()) scene.add(entity);
+      actor->append_obstacles(obstacles);
+    }
+    for (const Obstacle& obstacle : obstacles) bodies.push_back(physics.add(obstacle));
+    take_note();
   }
 
-  void add_bodies();
   void step(const DriveCommand& command);
+  void move_actors();
   void take_note();
   void arrange_scene(const Situation& situation);
-  std::vector<bool> note_tracked(const Situation& situation, TruthScan& truth) const;
+  std::vector<std::vector<AimedBeam>> beams_by_slice(const LaserModel& laser, const Pose2& first,
+                                                     const Pose2& last) const;
 
   World world;
   Robot robot;
+  std::vector<MountedLaser> lasers;
   SimulationOptions options;
-  FloorPlan plan;
-  FloorPlan walking_plan;
+  NavigationMap map;
   PlanarPhysics physics;
-  Doors doors;
-  Crowd crowd;
+  std::vector<std::unique_ptr<Actor>> actors;
+  std::vector<Obstacle> obstacles;  // of all actors, one after the other
+  std::vector<int> bodies;          // in physics, of each obstacle
   Scene scene;
-  std::vector<int> person_entities;
-  std::vector<int> person_bodies;  // in physics
-  std::vector<int> leaf_bodies;
   std::int64_t steps = 0;
   Situation now;
   double history_length = 0.2;                                      // [s] no sweep takes longer
@@ -114,80 +133,69 @@ struct Simulation::State {
   double arranged_time = std::numeric_limits<double>::quiet_NaN();  // what the scene shows
 };
 
-void Simulation::State::add_bodies() {
-  for (std::size_t i = 0; i < doors.size(); ++i) {
-    leaf_bodies.push_back(
-        physics.add_door(doors.world_from_leaf(i), doors.door(i).width, kLeafThickness));
-  }
-  const int clothes = crowd.size() > 0 ? material_index(world, "clothes") : 0;
-  for (std::size_t i = 0; i < crowd.size(); ++i) {
-    const PersonView person = crowd.person(i);
-    person_bodies.push_back(physics.add_person(person.pose.position(), person.radius));
-    person_entities.push_back(
-        scene.add(person_entity(fmt::format("person {}", i + 1), person, clothes)));
-  }
-}
-
 void Simulation::State::take_note() {
   now.time = options.step * static_cast<double>(steps);
   now.robot = physics.robot();
   now.wheels = physics.wheels().odometry();
   now.motors = physics.wheels().motors();
-  now.people.clear();
-  for (std::size_t i = 0; i < crowd.size(); ++i) now.people.push_back(crowd.person(i));
-  now.leaves.clear();
-  now.leaves_moving.clear();
-  for (std::size_t i = 0; i < doors.size(); ++i) {
-    now.leaves.push_back(doors.world_from_leaf(i));
-    now.leaves_moving.push_back(doors.is_moving(i));
-  }
+  now.moving.clear();
+  for (const auto& actor : actors) actor->append_poses(now.moving);
   history.push_back(now);
   while (history.front().time < now.time - history_length - options.step) history.pop_front();
 }
 
-// People and doors go first, then the robot drives among them.
-void Simulation::State::step(const DriveCommand& command) {
-  const double dt = options.step;
-  const RobotView view = view_of(robot, physics.robot(), physics.robot_velocity());
-  if (doors.size() > 0) {
-    std::vector<DoorVisitor> visitors{{view.pose.position(), view.radius}};
-    for (const PersonView& p : now.people) visitors.push_back({p.pose.position(), p.radius});
-    doors.step(visitors, dt);
-    for (std::size_t i = 0; i < doors.size(); ++i) {
-      physics.move(leaf_bodies[i], doors.world_from_leaf(i));
+// One group after the other; each sees where those before it have gone.
+void Simulation::State::move_actors() {
+  const Obstacle view = circle_around(robot, physics.robot(), physics.robot_velocity());
+  std::vector<Obstacle> moved;
+  std::size_t next = 0;
+  for (const auto& actor : actors) {
+    actor->step(options.step, {view, obstacles});
+    moved.clear();
+    actor->append_obstacles(moved);
+    for (const Obstacle& obstacle : moved) {
+      physics.move(bodies[next], obstacle.pose);
+      obstacles[next++] = obstacle;
     }
   }
-  crowd.step(view, doors.walls(), dt);
-  for (std::size_t i = 0; i < crowd.size(); ++i) {
-    const Pose2 pose = crowd.person(i).pose;
-    physics.move(person_bodies[i], {pose.x, pose.y, 0.0});
-  }
-  physics.step(command, dt);
+  CHECK(next == obstacles.size());
+}
+
+// Who moves by itself goes first, then the robot drives among them.
+void Simulation::State::step(const DriveCommand& command) {
+  move_actors();
+  physics.step(command, options.step);
   ++steps;
   take_note();
 }
 
-void Simulation::State::arrange_scene(const Situation& s) {
-  if (s.time == arranged_time) return;
-  arranged_time = s.time;
-  for (std::size_t i = 0; i < s.people.size(); ++i) {
-    const PersonView& person = s.people[i];
-    scene.move(person_entities[i], upright(person.pose));
-    scene.move_part(person_entities[i], kLeftLeg, entity_from_leg(person.legs[0]));
-    scene.move_part(person_entities[i], kRightLeg, entity_from_leg(person.legs[1]));
-  }
-  for (std::size_t i = 0; i < s.leaves.size(); ++i) {
-    scene.move(doors.door(i).entity, upright(s.leaves[i]));
-  }
+void Simulation::State::arrange_scene(const Situation& situation) {
+  if (situation.time == arranged_time) return;
+  arranged_time = situation.time;
+  for (const MovingPose& p : situation.moving) scene.move(p.entity, p.part, p.world_from_part);
   scene.update();
+}
+
+// Beams by the slice of the sweep that they are sent in; within one only the robot moves, from
+// `first` to `last` in the whole sweep.
+std::vector<std::vector<AimedBeam>> Simulation::State::beams_by_slice(const LaserModel& laser,
+                                                                      const Pose2& first,
+                                                                      const Pose2& last) const {
+  const double duration = laser.sweep_time();
+  const int slices = duration > 0.0 ? options.sweep_slices : 1;
+  std::vector<std::vector<AimedBeam>> result(static_cast<std::size_t>(slices));
+  for (int k = 0; k < laser.beams; ++k) {
+    const double fraction = duration > 0.0 ? laser.beam_delay(k) / duration : 0.0;
+    const int slice = std::min(slices - 1, static_cast<int>(fraction * slices));
+    result[static_cast<std::size_t>(slice)].push_back({k, interpolate(first, last, fraction)});
+  }
+  return result;
 }
 
 Simulation::Simulation(const World& world, const Robot& robot, const Pose2& start,
                        const SimulationOptions& options, const Rng& rng) {
   check_start(world, robot, start);
   state_ = std::make_unique<State>(world, robot, start, options, rng);
-  state_->add_bodies();
-  state_->take_note();
 }
 
 Simulation::~Simulation() = default;
@@ -204,14 +212,20 @@ const World& Simulation::world() const {
 const Robot& Simulation::robot() const {
   return state_->robot;
 }
-const FloorPlan& Simulation::floor_plan() const {
-  return state_->plan;
+const NavigationMap& Simulation::navigation_map() const {
+  return state_->map;
 }
 const Situation& Simulation::now() const {
   return state_->now;
 }
+std::span<const Obstacle> Simulation::obstacles() const {
+  return state_->obstacles;
+}
 bool Simulation::is_touching() const {
   return state_->physics.is_touching();
+}
+const Entity& Simulation::entity(int id) const {
+  return state_->scene.entity(id);
 }
 
 Situation Simulation::at(double time) const {
@@ -225,49 +239,18 @@ Situation Simulation::at(double time) const {
   return between(a, *after, (time - a.time) / (after->time - a.time));
 }
 
-// Beams by the slice of the sweep that they are sent in; within one only the robot moves.
-std::vector<std::vector<AimedBeam>> Simulation::beams_by_slice(const LaserModel& laser,
-                                                               double start) const {
-  const double duration = laser.sweep_time();
-  const int slices = duration > 0.0 ? state_->options.sweep_slices : 1;
-  const Pose2 first = at(start).robot;
-  const Pose2 last = at(start + duration).robot;
-  std::vector<std::vector<AimedBeam>> result(static_cast<std::size_t>(slices));
-  for (int k = 0; k < laser.beams; ++k) {
-    const double share = duration > 0.0 ? laser.beam_delay(k) / duration : 0.0;
-    const int slice = std::min(slices - 1, static_cast<int>(share * slices));
-    result[static_cast<std::size_t>(slice)].push_back({k, interpolate(first, last, share)});
-  }
-  return result;
-}
-
-// Who moves, by entity; what is tracked is noted in the truth.
-std::vector<bool> Simulation::State::note_tracked(const Situation& s, TruthScan& truth) const {
-  std::vector<bool> moves(scene.entity_count(), false);
-  for (std::size_t i = 0; i < s.people.size(); ++i) {
-    const int entity = person_entities[i];
-    moves[static_cast<std::size_t>(entity)] = s.people[i].is_moving;
-    truth.tracked.push_back({entity, s.people[i].pose, s.people[i].is_moving});
-  }
-  for (std::size_t i = 0; i < s.leaves.size(); ++i) {
-    const int entity = doors.door(i).entity;
-    moves[static_cast<std::size_t>(entity)] = s.leaves_moving[i];
-    truth.tracked.push_back({entity, s.leaves[i], s.leaves_moving[i]});
-  }
-  return moves;
-}
-
 Simulation::Sweep Simulation::sweep(int laser_index, double start, std::uint64_t number) {
   State& s = *state_;
-  CHECK(laser_index >= 0 && static_cast<std::size_t>(laser_index) < s.robot.lasers.size());
-  const MountedLaser& laser = s.robot.lasers[static_cast<std::size_t>(laser_index)];
+  CHECK(laser_index >= 0 && static_cast<std::size_t>(laser_index) < s.lasers.size());
+  const MountedLaser& laser = s.lasers[static_cast<std::size_t>(laser_index)];
   const double duration = laser.model.sweep_time();
 
   std::vector<BeamEchoes> echoes(static_cast<std::size_t>(laser.model.beams));
-  const std::vector<std::vector<AimedBeam>> slices = beams_by_slice(laser.model, start);
+  const std::vector<std::vector<AimedBeam>> slices =
+      s.beams_by_slice(laser.model, at(start).robot, at(start + duration).robot);
   for (std::size_t slice = 0; slice < slices.size(); ++slice) {
-    const double share = (static_cast<double>(slice) + 0.5) / static_cast<double>(slices.size());
-    s.arrange_scene(at(start + share * duration));
+    const double fraction = (static_cast<double>(slice) + 0.5) / static_cast<double>(slices.size());
+    s.arrange_scene(at(start + fraction * duration));
     std::vector<BeamEchoes> found = cast_beams(s.scene, laser, slices[slice]);
     for (std::size_t i = 0; i < found.size(); ++i) {
       echoes[static_cast<std::size_t>(slices[slice][i].index)] = std::move(found[i]);
@@ -275,16 +258,14 @@ Simulation::Sweep Simulation::sweep(int laser_index, double start, std::uint64_t
   }
 
   const Situation middle = at(start + duration / 2.0);
+  const Motions motions(s.scene.entity_count(), middle.moving);
   Sweep result;
   result.truth.time = result.ideal.time = middle.time;
   result.truth.laser = result.ideal.laser = laser_index;
-  result.truth.world_from_robot = middle.robot;
   result.ideal.sweep = number;
-  const std::vector<bool> moves = s.note_tracked(middle, result.truth);
   result.ideal.first_echo.push_back(0);
   for (BeamEchoes& beam : echoes) {
-    const int entity = beam.truth.entity;
-    beam.truth.is_moving = entity >= 0 && moves[static_cast<std::size_t>(entity)];
+    beam.truth.motion = motions.of(beam.truth.entity, beam.truth.part);
     result.truth.beams.push_back(beam.truth);
     result.ideal.echoes.insert(result.ideal.echoes.end(), beam.echoes.begin(), beam.echoes.end());
     result.ideal.first_echo.push_back(static_cast<std::uint32_t>(result.ideal.echoes.size()));
@@ -292,19 +273,21 @@ Simulation::Sweep Simulation::sweep(int laser_index, double start, std::uint64_t
   return result;
 }
 
-std::vector<TruthEntity> Simulation::entities() const {
+TruthHeader Simulation::truth_header() const {
   const State& s = *state_;
-  std::vector<TruthEntity> result;
+  TruthHeader header{.world = s.world.name, .robot = s.robot.name, .entities = {}, .materials = {}};
   for (std::size_t id = 0; id < s.scene.entity_count(); ++id) {
     const Entity& entity = s.scene.entity(static_cast<int>(id));
-    TruthEntity& truth = result.emplace_back();
+    TruthEntity& truth = header.entities.emplace_back();
     truth.id = static_cast<int>(id);
     truth.name = entity.name;
     truth.kind = entity.kind;
     for (const Part& part : entity.parts) truth.parts.push_back(part.name);
   }
-  result.push_back({static_cast<int>(result.size()), s.robot.name, EntityKind::robot, {}});
-  return result;
+  header.entities.push_back(
+      {static_cast<int>(header.entities.size()), s.robot.name, EntityKind::robot, {}});
+  for (const Material& m : s.world.materials) header.materials.push_back(m.name);
+  return header;
 }
 
 }  // namespace mapbed

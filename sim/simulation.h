@@ -1,15 +1,17 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/config/option.h"
 #include "core/driver.h"
 #include "core/random.h"
 #include "robots/robot.h"
-#include "sim/actors/crowd.h"
-#include "sim/actors/floor_plan.h"
-#include "sim/truth.h"
+#include "sim/actors/actors.h"
+#include "sim/actors/navigation_map.h"
+#include "sim/sensors/ideal_scan.h"
+#include "sim/truth/truth.h"
 #include "worlds/world.h"
 
 namespace mapbed {
@@ -17,7 +19,7 @@ namespace mapbed {
 struct SimulationOptions {
   double step = 0.01;    // [s] of physics
   int sweep_slices = 4;  // moments of a sweep for which everything that moves is put in its place
-  CrowdOptions people = {};
+  ActorOptions actors = {};
 };
 
 template <class Visitor>
@@ -25,7 +27,7 @@ void visit_fields(SimulationOptions& o, Visitor&& visit) {
   visit("step", o.step, Unit::second, between(0.001, 0.05), "of physics");
   visit("sweep_slices", o.sweep_slices, between(1, 100),
         "moments of a sweep at which everything that moves is put in its place");
-  visit("people", o.people, "who is about");
+  visit_fields(o.actors, visit);
 }
 
 // Everything that moves, at one moment.
@@ -34,12 +36,10 @@ struct Situation {
   Pose2 robot;        // world_from_robot
   Pose2 wheels;       // by the wheels' turns alone
   DriveCommand motors;
-  std::vector<PersonView> people;
-  std::vector<Pose2> leaves;  // world_from_leaf of the doors
-  std::vector<bool> leaves_moving;
+  std::vector<MovingPose> moving;  // all parts of all groups; the same ones at every moment
 };
 
-// A world with its robot, people and doors, going on in steps.
+// A world with its robot and all that moves by itself, going on in steps.
 class Simulation {
  public:
   // Throws InputError where the robot does not fit where it starts, or the people do not.
@@ -53,24 +53,25 @@ class Simulation {
 
   const World& world() const;
   const Robot& robot() const;
-  const FloorPlan& floor_plan() const;  // for the robot
-  const Situation& now() const;         // stays where it is in memory and changes with each step
-  Situation at(double time) const;      // [s] within the last 200 ms or the longest sweep
-  bool is_touching() const;             // the robot touches something
+  const NavigationMap& navigation_map() const;  // for the robot
+  const Situation& now() const;                 // stays in its place and changes with each step
+  std::span<const Obstacle> obstacles() const;  // that move, without the robot, as they stand now
+  Situation at(double time) const;              // [s] within the last 200 ms or the longest sweep
+  bool is_touching() const;                     // the robot touches something
 
   // A whole sweep that began at `start` and is over by now, every beam at its own time and from its
-  // own pose. Changes nothing but where the scene has its moving things.
+  // own pose. `laser` as LaserScan counts. Changes nothing but where the scene has its moving
+  // things.
   struct Sweep {
     IdealScan ideal;
-    TruthScan truth;
+    BeamTruthOfScan truth;
   };
   Sweep sweep(int laser, double start, std::uint64_t number);
 
-  std::vector<TruthEntity> entities() const;
+  const Entity& entity(int id) const;  // of the world or of who moves, as it was in the beginning
+  TruthHeader truth_header() const;
 
  private:
-  std::vector<std::vector<AimedBeam>> beams_by_slice(const LaserModel& laser, double start) const;
-
   struct State;
   std::unique_ptr<State> state_;
 };

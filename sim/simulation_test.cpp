@@ -3,7 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/scripted_driver.h"
+#include "sim/actors/crowd.h"
+#include "sim/drivers/scripted_driver.h"
 #include "sim/testing/small_world.h"
 
 namespace mapbed {
@@ -48,25 +49,26 @@ double distance_to_leaf(const Pose2& world_from_leaf, double width, const Vector
 
 TEST(Simulation, WalkersPassADoorWhenItIsOpenAndNeverItsLeafOrTheWall) {
   const World world = two_rooms();
-  Simulation simulation(world, round_robot(), {1.0, 0.8, 0.0}, {.people = {.walkers = 2}}, Rng(2));
-  const FloorPlan plan(world, 0.02, 1.9);
+  Simulation simulation(world, round_robot(), {1.0, 0.8, 0.0},
+                        {.actors = {.people = {.walkers = 2}}}, Rng(2));
+  const NavigationMap map(world, 0.02, 1.9);
   std::vector<double> last_x(2, 0.0);
   int passages = 0;
   for (int i = 0; i < 6000; ++i) {
     simulation.step({});
-    const Situation& now = simulation.now();
+    const Obstacle& leaf = simulation.obstacles()[0];
     for (std::size_t k = 0; k < 2; ++k) {
-      const PersonView& person = now.people[k];
+      const Obstacle& person = simulation.obstacles()[1 + k];
       const Vector2d p = person.pose.position();
-      ASSERT_GT(plan.clearance(p), 0.5 * person.radius);
-      ASSERT_GT(distance_to_leaf(now.leaves[0], 1.0, p), 0.1);
+      ASSERT_GT(map.clearance(p), 0.5 * person.radius);
+      ASSERT_GT(distance_to_leaf(leaf.pose, 1.0, p), 0.1);
       const bool passes = i > 0 && (last_x[k] - 5.0) * (p.x() - 5.0) < 0.0;
       last_x[k] = p.x();
       if (!passes) continue;
       ++passages;
       EXPECT_GT(p.y(), 2.5);  // between the posts
       EXPECT_LT(p.y(), 3.5);
-      EXPECT_GT(std::abs(now.leaves[0].theta - 1.5707963), 0.7);  // the leaf has swung aside
+      EXPECT_GT(std::abs(leaf.pose.theta - 1.5707963), 0.7);  // the leaf has swung aside
     }
   }
   // 7 m at about 1.1 m/s to and fro for a minute, less what waiting at the door costs.
@@ -76,8 +78,9 @@ TEST(Simulation, WalkersPassADoorWhenItIsOpenAndNeverItsLeafOrTheWall) {
 
 TEST(Simulation, ASweepMayTakeAsLongAsItsMirror) {
   Robot robot = round_robot();
-  MountedLaser& laser = robot.lasers.emplace_back();
-  laser.model.mirror_rate = 0.5;  // half a turn takes a second
+  LaserModel laser;
+  laser.mirror_rate = 0.5;  // half a turn takes a second
+  robot.sensors = {{.name = "front", .model = laser}};
   Simulation simulation(small_room(6.0, 4.0), robot, {3.0, 2.0, 0.0}, {}, Rng(1));
   for (int i = 0; i < 250; ++i) simulation.step({.turn_velocity = 0.3});
   const Simulation::Sweep sweep = simulation.sweep(0, 1.5, 0);
@@ -92,12 +95,13 @@ TEST(Simulation, NobodyGetsIntoARobotThatDrives) {
   world.crowd.places = {{.position = {6.0, 1.0}, .radius = 0.3}};
   const Robot robot = round_robot();
   const CrowdOptions people{.walkers = 3, .standing = 1, .blockers = 1};
-  Simulation simulation(world, robot, start_of(world.paths[0]), {.people = people}, Rng(4));
+  Simulation simulation(world, robot, start_of(world.paths[0]), {.actors = {.people = people}},
+                        Rng(4));
   ScriptedDriver driver(simulation, world.paths[0]);
   double nearest = 100.0;
   for (int i = 0; i < 6000 && !driver.is_done(); ++i) {
     simulation.step(driver.command(simulation.now().time));
-    for (const PersonView& person : simulation.now().people) {
+    for (const Obstacle& person : simulation.obstacles()) {
       const double gap = (person.pose.position() - simulation.now().robot.position()).norm();
       nearest = std::min(nearest, gap - robot.footprint.radius);
     }
@@ -115,14 +119,15 @@ TEST(Simulation, WhoWalksAloneDoesSoAtHisDrawnSpeed) {
   double sum = 0.0;
   double squares = 0.0;
   for (std::uint64_t seed = 0; seed < kWalkers; ++seed) {
-    const FloorPlan plan(world, 0.02, 1.9);
-    Crowd crowd(world, plan, {.pose = {-50.0, 0.0, 0.0}},
-                {.walkers = 1, .mean_speed = 1.1, .speed_sigma = 0.1}, Rng(seed));
+    const NavigationMap map(world, 0.02, 1.9);
+    const Obstacle robot{.pose = {-50.0, 0.0, 0.0}, .radius = 0.3};
+    Crowd crowd(world, map, robot, {.walkers = 1, .mean_speed = 1.1, .speed_sigma = 0.1}, 0,
+                Rng(seed));
     // The fastest of five seconds: he may have to turn round at an end of the route.
     double speed = 0.0;
     for (int i = 0; i < 500; ++i) {
-      crowd.step({.pose = {-50.0, 0.0, 0.0}}, {}, 0.01);
-      speed = std::max(speed, crowd.person(0).velocity.norm());
+      crowd.step(0.01, {robot});
+      speed = std::max(speed, crowd.person(0).body.velocity.norm());
     }
     sum += speed;
     squares += speed * speed;

@@ -1,5 +1,8 @@
 #include "worlds/world.h"
 
+#include <cmath>
+
+#include "core/check.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
 
@@ -45,6 +48,13 @@ int material_index(const World& world, const std::string& name) {
 
 const NamedPath& path_by_name(const World& world, const std::string& name) {
   return world.paths[index_by_name(world.paths, name, "path in world '" + world.name + "'")];
+}
+
+Pose2 start_of(const NamedPath& path) {
+  CHECK(path.points.size() >= 2);
+  const Eigen::Vector2d& from = path.points[0].position;
+  const Eigen::Vector2d way = path.points[1].position - from;
+  return {from.x(), from.y(), std::atan2(way.y(), way.x())};
 }
 
 }  // namespace mapbed

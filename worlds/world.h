@@ -80,4 +80,7 @@ Eigen::AlignedBox3d bounds_of(const World& world);
 int material_index(const World& world, const std::string& name);
 const NamedPath& path_by_name(const World& world, const std::string& name);
 
+// Where a drive along the path starts: on its first point, looking to the second.
+Pose2 start_of(const NamedPath& path);
+
 }  // namespace mapbed

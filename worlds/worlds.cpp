@@ -32,7 +32,7 @@ WorldKind kind(const std::string& name, const std::string& about, World (*build)
 // The world as it is in the file now, for as long as it is asked for.
 Configured<World()> configure_file(const std::string& path, const Settings& settings) {
   const auto world = std::make_shared<const World>(load_world(path, settings));
-  return {"sha256: " + sha256_of_file(path) + "\n", [world] { return *world; }};
+  return {"# sha256: " + sha256_of_file(path) + "\n", [world] { return *world; }};
 }
 
 }  // namespace

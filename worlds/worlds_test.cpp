@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/input_error.h"
-#include "worlds/build/free_ways.h"
+#include "worlds/build/clearance.h"
+#include "worlds/geometry/footprint.h"
 
 namespace mapbed {
 namespace {
@@ -21,7 +22,7 @@ class EveryWorld : public ::testing::TestWithParam<std::string> {};
 TEST_P(EveryWorld, HasFreePathsForFiftySeeds) {
   for (int number = 0; number < 50; ++number) {
     const World world = build_world(GetParam(), seed(number));
-    ASSERT_NO_THROW(check_ways(world)) << number;
+    ASSERT_NO_THROW(check_clearance(world)) << number;
     ASSERT_FALSE(world.paths.empty());
     for (const NamedPath& path : world.paths) EXPECT_GE(path.clearance, 0.3) << path.name;
   }

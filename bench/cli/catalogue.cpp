@@ -11,6 +11,7 @@
 #include "core/log/log_description.h"
 #include "core/log/log_options.h"
 #include "robots/robot.h"
+#include "sim/drivers/drivers.h"
 #include "sim/render/render_world.h"
 #include "worlds/worlds.h"
 
@@ -29,7 +30,8 @@ std::vector<CatalogueEntry> method_entries() {
 std::vector<CatalogueEntry> world_entries() {
   std::vector<CatalogueEntry> entries;
   for (const WorldKind& kind : world_kinds()) {
-    entries.push_back({kind.name, kind.about, [&kind] { return kind.configure({}).complete_yaml; }});
+    entries.push_back(
+        {kind.name, kind.about, [&kind] { return kind.configure({}).complete_yaml; }});
   }
   for (const std::string& name : world_file_names()) {
     const std::string path = find_data_file("world", "worlds", name).string();
@@ -52,12 +54,16 @@ std::vector<CatalogueEntry> robot_entries() {
   return entries;
 }
 
+std::string about_of(const SensorModel& sensor) {
+  return std::visit([](const auto& model) { return model.about; }, sensor);
+}
+
 std::vector<CatalogueEntry> sensor_entries() {
   std::vector<CatalogueEntry> entries;
   for (const std::string& name : sensor_names()) {
-    entries.push_back({name, load_laser(name).about, [name] {
-                         LaserModel laser = load_laser(name);
-                         return to_yaml(options_of(laser));
+    entries.push_back({name, about_of(load_sensor(name)), [name] {
+                         SensorModel sensor = load_sensor(name);
+                         return std::visit([](auto& s) { return to_yaml(options_of(s)); }, sensor);
                        }});
   }
   return entries;
@@ -71,6 +77,15 @@ std::string text_of(const LogDescription& log) {
   if (!log.pieces.empty()) text += "pieces:\n";
   for (const std::string& piece : log.pieces) text += "  - " + piece + "\n";
   return text;
+}
+
+std::vector<CatalogueEntry> driver_entries() {
+  std::vector<CatalogueEntry> entries;
+  for (const DriverKind& kind : driver_kinds()) {
+    entries.push_back(
+        {kind.name, kind.about, [&kind] { return kind.configure({}).complete_yaml; }});
+  }
+  return entries;
 }
 
 std::vector<CatalogueEntry> log_entries() {
@@ -140,6 +155,7 @@ const std::vector<CatalogueShelf>& catalogue() {
       {"worlds", "world", world_entries},
       {"robots", "robot", robot_entries},
       {"sensors", "sensor", sensor_entries},
+      {"drivers", "driver", driver_entries},
       {"methods", "method", method_entries},
       {"logs", "log", log_entries},
       {"settings", "setting", setting_entries},

@@ -20,6 +20,7 @@ struct SimulateArguments {
   std::string world;
   std::string robot;
   std::string path;
+  std::string driver;
   std::string variant;
   std::string log;
   std::optional<int> people;
@@ -36,6 +37,7 @@ ScenarioChoice choice_of(const SimulateArguments& a) {
   set("world", a.world);
   set("robot", a.robot);
   set("path", a.path);
+  set("driver", a.driver);
   if (a.people) set("people", fmt::to_string(*a.people));
   for (const std::string& text : a.settings) choice.settings.push_back(parse_setting(text));
   return choice;
@@ -65,7 +67,7 @@ int simulate(const SimulateArguments& arguments) {
   const double seconds = stopwatch.seconds();
   write_simulation(arguments.log, result);
 
-  const auto& scans = result.recording.scans;
+  const auto& scans = result.recording.truth.beams;
   const Trajectory truth = trajectory_of(result.recording.truth);
   const double recorded = scans.empty() ? 0.0 : scans.back().time - scans.front().time;
   fmt::print(
@@ -90,6 +92,7 @@ Command simulate_command() {
                       {"--world", &a->world, "a world's name or file"},
                       {"--robot", &a->robot, "a robot's name or file"},
                       {"--path", &a->path, "a named path of the world; its first where left out"},
+                      {"--driver", &a->driver, "who drives; the first of 'mapbed list drivers'"},
                       {.name = "--people",
                        .target = &a->people,
                        .help = "how many are about, all together; as the world says if left out",

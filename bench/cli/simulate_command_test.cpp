@@ -6,7 +6,7 @@
 
 #include "bench/cli/testing/command_test.h"
 #include "core/log/log_file.h"
-#include "sim/truth.h"
+#include "sim/truth/truth_file.h"
 
 namespace mapbed {
 namespace {
@@ -39,8 +39,9 @@ TEST_F(SimulateCommand, WritesALogWithTruthRelationsAndMap) {
   const RecordedLog log = load_log(path("a.log.gz"));
   EXPECT_EQ(log.true_poses.size(), 50u);  // 5 Hz
   const Truth truth = load_truth(path("a.truth.gz"));
-  ASSERT_EQ(truth.scans.size(), 50u);
-  EXPECT_EQ(truth.scans[7].beams.size(), 180u);
+  ASSERT_EQ(truth.states.size(), 50u);
+  ASSERT_EQ(truth.beams.size(), 50u);
+  EXPECT_EQ(truth.beams[7].beams.size(), 180u);
   for (const char* name : {"a.relations", "a.tum", "a_map.pgm", "a_map.yaml", "a.config.yaml"}) {
     EXPECT_TRUE(fs::exists(path(name))) << name;
   }

@@ -9,7 +9,7 @@
 #include "bench/metrics/map_error.h"
 #include "bench/plot/map_picture.h"
 #include "core/image/png.h"
-#include "sim/recorder.h"
+#include "sim/recording.h"
 
 namespace mapbed {
 namespace {
@@ -44,7 +44,7 @@ GlassCells look_at_glass(const OccupancyMap& map, const PosedScans& posed,
   TiledGrid<int> met(map.frame());
   for (std::size_t i = 0; i < posed.scans.size(); ++i) {
     const LaserScan& scan = posed.scans[i];
-    const auto& beams = recording.truth.scans[i].beams;
+    const auto& beams = beams_of(recording.truth, scan.time, scan.laser)->beams;
     const Pose2 world_from_laser = posed.world_from_robot[i].pose * scan.robot_from_laser.planar;
     for (std::size_t k = 0; k < beams.size(); ++k) {
       if (beams[k].material != glass || !std::isfinite(beams[k].range)) continue;

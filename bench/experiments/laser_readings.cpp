@@ -30,6 +30,7 @@ struct LaserReadingsOptions {
   double gap = 0.6;         // [m]
   double radius = 0.07;     // [m]
   int readings = 100'000;
+  LaserModel laser;  // of `sensor`, with `mixed_pixels`; read when the options are bound
 };
 
 template <class Visitor>
@@ -48,15 +49,15 @@ void visit_fields(LaserReadingsOptions& o, Visitor&& visit) {
   visit("readings", o.readings, between(1000, 10'000'000), "that are drawn in a run");
 }
 
-LaserTarget target_of(const LaserReadingsOptions& o, const LaserModel& laser) {
+LaserTarget target_of(const LaserReadingsOptions& o) {
   switch (o.target) {
     case TargetKind::glass:
     case TargetKind::glass_by_angle:
       return glass_target(o.distance, o.incidence, o.gap);
     case TargetKind::edge:
-      return edge_target(laser, o.distance, o.gap);
+      return edge_target(o.laser, o.distance, o.gap);
     case TargetKind::leg:
-      return leg_target(laser, o.distance, o.radius, o.gap);
+      return leg_target(o.laser, o.distance, o.radius, o.gap);
     case TargetKind::wall:
       break;
   }
@@ -112,7 +113,7 @@ Comparison compare(const LaserReadingsOptions& o, const LaserTarget& target, con
   constexpr int kFineSubRays = 61;
   constexpr int kFinePlaces = 1000;
   Comparison c;
-  c.laser = laser_of(o);
+  c.laser = o.laser;
   c.readings = o.readings;
   c.specified = specified_shares(target, c.laser, spot_model_of(c.laser));
   c.disc = specified_shares(target, c.laser, {kFineSubRays, false}, kFinePlaces);
@@ -217,7 +218,7 @@ Plot histogram_of(const LaserReadingsOptions& o, const Comparison& c) {
 }
 
 RunOutcome run_histogram(const LaserReadingsOptions& o, const RunInput& input) {
-  const Comparison c = compare(o, target_of(o, laser_of(o)), input.rng);
+  const Comparison c = compare(o, target_of(o), input.rng);
   const ChiSquare fit = chi_square(times(c.found, o.readings), times(c.specified, o.readings));
   RunOutcome outcome;
   outcome.values = {{"chi_square_score", fit.score},
@@ -244,7 +245,7 @@ RunOutcome run_by_angle(LaserReadingsOptions o, const RunInput& input) {
   double squares = 0.0;
   for (std::size_t i = 0; i < angles.size(); ++i) {
     o.incidence = radians(angles[i]);
-    const Comparison c = compare(o, target_of(o, laser_of(o)), input.rng.stream("angle", i));
+    const Comparison c = compare(o, target_of(o), input.rng.stream("angle", i));
     const double border = o.distance + o.gap / 2.0;
     specified.x.push_back(angles[i]);
     found.x.push_back(angles[i]);
@@ -275,11 +276,20 @@ RunOutcome run(const LaserReadingsOptions& options, const RunInput& input) {
   return run_histogram(options, input);
 }
 
+Configured<RunOutcome(const RunInput&)> configure(const Settings& settings) {
+  LaserReadingsOptions options;
+  apply(settings, options_of(options), "laser_readings");
+  options.laser = laser_of(options);
+  return {to_yaml(options_of(options)),
+          [options](const RunInput& input) { return run(options, input); }};
+}
+
 }  // namespace
 
 Experiment laser_readings_experiment() {
-  return make_experiment<LaserReadingsOptions>(
-      "laser_readings", "readings of the simulated laser against its specification",
+  return {
+      "laser_readings",
+      "readings of the simulated laser against its specification",
       Experiment::Needs::nothing,
       {{"chi_square_score", Unit::none,
         "misfit of the readings' histogram; standard normal where they are as specified"},
@@ -289,7 +299,7 @@ Experiment laser_readings_experiment() {
        {"spot_error", Unit::none,
         "largest difference of the cumulative specification from that of an evenly lit disc: what "
         "the few sub-rays cost"}},
-      run);
+      configure};
 }
 
 }  // namespace mapbed

@@ -12,7 +12,7 @@
 #include "core/config/suggestion.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
-#include "sim/recorder.h"
+#include "sim/recording.h"
 
 namespace mapbed {
 namespace {

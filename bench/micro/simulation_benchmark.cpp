@@ -1,8 +1,8 @@
 #include <benchmark/benchmark.h>
 
 #include "robots/robot.h"
+#include "sim/drivers/scripted_driver.h"
 #include "sim/noise/laser_noise.h"
-#include "sim/scripted_driver.h"
 #include "sim/simulation.h"
 #include "worlds/worlds.h"
 
@@ -14,9 +14,11 @@ namespace {
 void simulate_museum(benchmark::State& state) {
   const World world = build_world("museum");
   const Robot robot = load_robot("pioneer");
+  const MountedLaser laser = lasers_of(robot).front();
   const Rng rng(1);
   const SimulationOptions options{
-      .people = {.walkers = static_cast<int>(state.range(0)), .standing = 0, .blockers = 0}};
+      .actors = {
+          .people = {.walkers = static_cast<int>(state.range(0)), .standing = 0, .blockers = 0}}};
   Simulation simulation(world, robot, start_of(world.paths.front()), options, rng);
   ScriptedDriver driver(simulation, world.paths.front());
   std::uint64_t number = 0;
@@ -26,7 +28,7 @@ void simulate_museum(benchmark::State& state) {
       if (step % 20 != 0) continue;
       const double start = simulation.now().time - 0.05;
       const Simulation::Sweep sweep = simulation.sweep(0, start, number++);
-      benchmark::DoNotOptimize(with_noise(sweep.ideal, robot.lasers[0], rng).ranges.data());
+      benchmark::DoNotOptimize(with_noise(sweep.ideal, laser, rng).ranges.data());
     }
   }
   state.counters["times_real_time"] =

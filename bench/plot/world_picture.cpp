@@ -5,8 +5,8 @@
 #include "core/config/config_node.h"
 #include "core/input_error.h"
 #include "robots/robot.h"
+#include "sim/drivers/scripted_driver.h"
 #include "sim/render/render_simulation.h"
-#include "sim/scripted_driver.h"
 #include "worlds/worlds.h"
 
 namespace mapbed {

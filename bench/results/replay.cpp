@@ -136,11 +136,15 @@ Replay replay_of(const Truth& truth, const SensorLog& log) {
     if (!entity.is_dynamic() || entity.kind == EntityKind::robot) continue;
     others[entity.id] = {entity.name, name_of(entity.kind), radius_of(entity), {}};
   }
-  for (const TruthScan& scan : truth.scans) {
-    if (scan.laser != 0) continue;
-    for (const TrackedPose& tracked : scan.tracked) {
-      const auto found = others.find(tracked.entity);
-      if (found != others.end()) found->second.world_from_it.push_back({scan.time, tracked.pose});
+  for (const StampedStates& states : truth.states) {
+    for (std::size_t i = 0; i < states.moving.size(); ++i) {
+      const MovingPose& moving = states.moving[i];
+      // The last part stands for the whole: somebody's trunk, a door's leaf.
+      const bool is_last =
+          i + 1 == states.moving.size() || states.moving[i + 1].entity != moving.entity;
+      const auto found = others.find(moving.entity);
+      if (!is_last || found == others.end()) continue;
+      found->second.world_from_it.push_back({states.time, planar(moving.world_from_part)});
     }
   }
   for (auto& [id, track] : others) {

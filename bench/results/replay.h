@@ -26,7 +26,7 @@
 #include "core/geometry/trajectory.h"
 #include "core/image/image.h"
 #include "core/log/sensor_log.h"
-#include "sim/truth.h"
+#include "sim/truth/truth.h"
 #include "worlds/world.h"
 
 namespace mapbed {

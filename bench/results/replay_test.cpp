@@ -77,14 +77,16 @@ TEST(Replay, KnowsPeopleAndDoorsOfTheTruthButNotTheRobot) {
   truth.entities = {{.id = 0, .name = "wall", .kind = EntityKind::structure},
                     {.id = 1, .name = "anna", .kind = EntityKind::person},
                     {.id = 2, .name = "b21r", .kind = EntityKind::robot}};
-  truth.scans = {{.time = 1.0, .tracked = {{1, {2, 3, 0}}, {2, {0, 0, 0}}}},
-                 {.time = 1.0, .laser = 1, .tracked = {{1, {2, 3, 0}}}},
-                 {.time = 2.0, .tracked = {{1, {4, 3, 0}}}}};
+  const Pose3 leg = upright({1.9, 3.0, 0.0}, 0.4);
+  truth.states = {{1.0, {}, {{1, 0, leg}, {1, 1, upright({2, 3, 0}, 1.3)}}},
+                  {2.0, {}, {{1, 0, leg}, {1, 1, upright({4, 3, 0}, 1.3)}}}};
   const Replay replay = replay_of(truth, {scan_at(1.0, {1.0})});
   ASSERT_EQ(replay.others.size(), 1u);
   EXPECT_EQ(replay.others[0].name, "anna");
   EXPECT_EQ(replay.others[0].kind, "person");
-  EXPECT_EQ(replay.others[0].world_from_it.size(), 2u) << "the front laser's moments alone";
+  ASSERT_EQ(replay.others[0].world_from_it.size(), 2u);
+  EXPECT_EQ(replay.others[0].world_from_it[1].pose.position(), Eigen::Vector2d(4, 3))
+      << "the trunk";
   EXPECT_EQ(replay.scans.size(), 1u);
 }
 

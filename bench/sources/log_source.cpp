@@ -31,6 +31,8 @@ SimulationPlan simulation_plan(const Settings& settings) {
       plan.robot = setting.text;
     } else if (setting.path == "path") {
       plan.path = setting.text;
+    } else if (setting.path == "driver") {
+      plan.driver = setting.text;
     } else if (setting.path == "people") {
       plan.people = ConfigNode(setting.text, setting.place).whole_number(at_least(0));
     } else {

@@ -1,54 +1,86 @@
 #include "bench/sources/simulate.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "core/config/config_node.h"
+#include "core/config/yaml_scalar.h"
 #include "core/file/text_file.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/map_server.h"
 #include "core/log/dialects/carmen_log.h"
+#include "sim/noise/sensor_noise.h"
 #include "sim/relations.h"
+#include "sim/truth/truth_file.h"
 #include "worlds/geometry/raster.h"
 #include "worlds/worlds.h"
 
 namespace mapbed {
 namespace {
 
-// Everything about a simulation that can be set, but the world's own options.
+// Everything about a simulation that can be set, but the options of its world and its driver.
 struct Options {
   Robot& robot;
-  SimulationOptions simulation;
-  ScriptedDriverOptions driver;
-  RecorderOptions recorder;
+  SimulationOptions simulation = {};
+  RecorderOptions recorder = {};
 };
 
 template <class Visitor>
 void visit_fields(Options& o, Visitor&& visit) {
   visit("robot", o.robot, "what drives");
   visit("simulation", o.simulation, "how the world goes on");
-  visit("driver", o.driver, "how it is driven");
   visit("recorder", o.recorder, "what is recorded");
 }
 
-// Divides settings by what they begin with: "world.seed" is the world's "seed".
-Settings settings_of_world(const Settings& all) {
-  Settings result;
+// Settings divided by the group that they begin with, which is cut off: "world.seed" is the world's
+// "seed".
+struct DividedSettings {
+  Settings world;
+  Settings driver;
+  Settings others;  // whole
+};
+
+DividedSettings by_group(const Settings& all) {
+  DividedSettings result;
   for (Setting setting : all) {
-    if (!setting.path.starts_with("world.")) continue;
-    setting.path = setting.path.substr(6);
-    result.push_back(setting);
+    const std::size_t dot = setting.path.find('.');
+    const std::string group = setting.path.substr(0, dot);
+    const bool is_world = group == "world";
+    if (dot == std::string::npos || (!is_world && group != "driver")) {
+      result.others.push_back(std::move(setting));
+      continue;
+    }
+    setting.path.erase(0, dot + 1);
+    (is_world ? result.world : result.driver).push_back(std::move(setting));
   }
   return result;
 }
 
-Settings settings_of_others(const Settings& all) {
-  Settings result;
-  for (const Setting& setting : all) {
-    if (!setting.path.starts_with("world.")) result.push_back(setting);
+// Nested options, as to_yaml() has them, with dotted paths below `group` (may be empty), so that
+// they can stand beside the name of what has them.
+std::string dotted(const std::string& group, const std::string& yaml) {
+  constexpr std::size_t kIndent = 2;
+  std::vector<std::string> path;
+  const std::size_t above = group.empty() ? 0 : 1;
+  if (above > 0) path.push_back(group);
+  std::string text;
+  std::istringstream lines(yaml);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin == std::string::npos) continue;
+    if (line[begin] == '#') {
+      text += line + "\n";
+      continue;
+    }
+    const std::size_t colon = line.find(':', begin);
+    path.resize(begin / kIndent + above);
+    path.push_back(line.substr(begin, colon - begin));
+    const std::string value = line.substr(colon + 1);
+    if (!value.empty()) text += fmt::format("{}:{}\n", fmt::join(path, "."), value);
   }
-  return result;
+  return text;
 }
 
 // A driver who is told measurements reacts to their noise, which then belongs to the recording.
@@ -57,7 +89,9 @@ Robot without_noise(Robot robot, const RecorderOptions& recorder) {
   const OdometryModel given = robot.odometry;
   robot.odometry = {};
   robot.odometry.rate = given.rate;
-  for (MountedLaser& laser : robot.lasers) laser.model.noise = {};
+  for (MountedSensor& sensor : robot.sensors) {
+    std::visit([](auto& model) { model.noise = {}; }, sensor.model);
+  }
   return robot;
 }
 
@@ -71,7 +105,7 @@ std::string stem_of(std::string path) {
 
 void write_true_map(const std::string& stem, const PreparedSimulation& simulation) {
   RasterOptions options;
-  options.height = simulation.robot.lasers.front().height;
+  options.height = lasers_of(simulation.robot).front().robot_from_laser.z;
   const TrueMap map = raster(*simulation.world, options);
   MapServerMap file{
       .occupancy = Image<float>(map.width, map.height, MapServerMap::kUnknown),
@@ -107,32 +141,39 @@ const Robot& SimulationParts::robot(const std::string& name) {
 }
 
 PreparedSimulation prepare_simulation(const SimulationPlan& plan, SimulationParts& parts) {
-  const auto& [world_yaml, world] = parts.world(plan.world, settings_of_world(plan.settings));
-  PreparedSimulation prepared{.world = world, .robot = parts.robot(plan.robot)};
-  Options options{.robot = prepared.robot, .simulation = {}, .driver = {}, .recorder = {}};
-  if (plan.people >= 0) {
-    options.simulation.people = with_people(options.simulation.people, world->crowd, plan.people);
-  }
-  apply(settings_of_others(plan.settings), options_of(options), "the simulation");
+  const DividedSettings settings = by_group(plan.settings);
+  const auto& [world_yaml, world] = parts.world(plan.world, settings.world);
   if (world->paths.empty()) {
     throw InputError("world '" + plan.world + "' has no path to drive; add one to its paths");
   }
-  if (prepared.robot.lasers.empty()) {
-    throw InputError("robot '" + plan.robot + "' has no laser; add one to its lasers");
-  }
+  PreparedSimulation prepared{.world = world, .robot = parts.robot(plan.robot)};
   prepared.path = plan.path.empty() ? world->paths.front() : path_by_name(*world, plan.path);
+  Options options{.robot = prepared.robot};
+  if (plan.people >= 0) {
+    CrowdOptions& people = options.simulation.actors.people;
+    people = with_people(people, world->crowd, plan.people);
+  }
+  apply(settings.others, options_of(options), "the simulation");
+  for (const MountedSensor& sensor : prepared.robot.sensors) check_sensor(sensor.model, {});
+  if (lasers_of(prepared.robot).empty()) {
+    throw InputError("robot '" + plan.robot + "' has no laser; add one to its sensors");
+  }
+  const std::string driver_name = plan.driver.empty() ? driver_kinds().front().name : plan.driver;
+  const Configured<MakeDriver> driver = configure_driver(driver_name, settings.driver);
   prepared.simulation = options.simulation;
-  prepared.driver = options.driver;
   prepared.recorder = options.recorder;
-  const std::string names = fmt::format("world: {}\npath: {}\nworld_options:\n{}", plan.world,
-                                        prepared.path.name, indented(world_yaml));
-  prepared.config = names + to_yaml(options_of(options));
-  Robot noiseless = without_noise(prepared.robot, prepared.recorder);
-  Options rest{.robot = noiseless,
-               .simulation = options.simulation,
-               .driver = options.driver,
-               .recorder = options.recorder};
-  prepared.noiseless_config = names + to_yaml(options_of(rest));
+  prepared.make_driver = driver.make;
+
+  const std::string given = fmt::format(
+      "world: {}\n{}robot: {}\npath: {}\ndriver: {}\n{}", yaml_scalar(plan.world),
+      dotted("world", world_yaml), yaml_scalar(plan.robot), yaml_scalar(prepared.path.name),
+      yaml_scalar(driver_name), dotted("driver", driver.complete_yaml));
+  const auto config_with = [&](Robot robot) {
+    Options complete{robot, options.simulation, options.recorder};
+    return given + dotted("", to_yaml(options_of(complete)));
+  };
+  prepared.config = config_with(prepared.robot);
+  prepared.noiseless_config = config_with(without_noise(prepared.robot, prepared.recorder));
   return prepared;
 }
 
@@ -145,10 +186,10 @@ Recording record(const PreparedSimulation& prepared, std::uint64_t seed) {
   const Rng rng(seed);
   Simulation simulation(*prepared.world, prepared.robot, start_of(prepared.path),
                         prepared.simulation, rng);
-  ScriptedDriver driver(simulation, prepared.path, prepared.driver);
+  const std::unique_ptr<Driver> driver = prepared.make_driver(simulation, prepared.path);
   RecorderOptions options = prepared.recorder;
-  options.longest = std::min(options.longest, driver.longest_time());
-  return record(simulation, driver, options, rng);
+  options.longest = std::min(options.longest, driver->longest_time());
+  return record(simulation, *driver, options, rng);
 }
 
 SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed) {
@@ -158,7 +199,7 @@ SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed) 
 SimulationResult run_simulation(PreparedSimulation simulation, std::uint64_t seed) {
   SimulationResult result{.simulation = std::move(simulation), .seed = seed};
   result.recording = record(result.simulation, seed);
-  result.log = with_noise(result.recording, result.simulation.robot, Rng(seed));
+  result.log = with_noise(result.recording.readings, result.simulation.robot, Rng(seed));
   return result;
 }
 

@@ -7,19 +7,21 @@
 
 #include "core/config/configured.h"
 #include "core/config/settings.h"
+#include "core/log/sensor_log.h"
+#include "sim/drivers/drivers.h"
 #include "sim/recorder.h"
-#include "sim/scripted_driver.h"
 #include "sim/simulation.h"
 
 namespace mapbed {
 
 // Which world, which robot along which path, who is about.
 struct SimulationPlan {
-  std::string world;  // a builder's name or a world file
-  std::string robot;  // a robot's name or file
-  std::string path;   // a named path of the world; empty: its first
-  int people = -1;    // all together, see with_people(); -1: as many as the world says
-  Settings settings;  // world.…, robot.…, simulation.…, driver.…, recorder.…
+  std::string world;   // a builder's name or a world file
+  std::string robot;   // a robot's name or file
+  std::string path;    // a named path of the world; empty: its first
+  std::string driver;  // a driver by name; empty: the first of driver_kinds()
+  int people = -1;     // all together, see with_people(); -1: as many as the world says
+  Settings settings;   // world.…, robot.…, simulation.…, driver.…, recorder.…
 };
 
 // Worlds and robots for simulations that are prepared together: each is read or built once, however
@@ -44,9 +46,9 @@ struct PreparedSimulation {
   Robot robot;
   NamedPath path;
   SimulationOptions simulation;
-  ScriptedDriverOptions driver;
+  std::function<MakeDriver> make_driver;
   RecorderOptions recorder;
-  std::string config;            // complete, as YAML
+  std::string config;            // complete: as a scenario file it gives the same again
   std::string noiseless_config;  // the same without what is drawn after recording: plans that agree
                                  // in this and in the seed give the same recording
 };
@@ -56,7 +58,7 @@ PreparedSimulation prepare_simulation(const SimulationPlan& plan, SimulationPart
 PreparedSimulation prepare_simulation(const SimulationPlan& plan);
 
 // `seed` is that of everything that is chance. For several threads at a time. The log is what the
-// prepared robot reads: with_noise(recording, prepared.robot, Rng(seed)).
+// prepared robot reads: with_noise(recording.readings, prepared.robot, Rng(seed)).
 Recording record(const PreparedSimulation& prepared, std::uint64_t seed);
 
 struct SimulationResult {

@@ -7,10 +7,11 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "bench/sources/log_source.h"
 #include "core/file/text_file.h"
 #include "core/log/dialects/carmen_log.h"
 #include "core/testing/temporary_folder.h"
-#include "sim/truth.h"
+#include "core/testing/throws_input_error.h"
 
 namespace mapbed {
 namespace {
@@ -54,7 +55,6 @@ TEST(Simulate, APersonMoreChangesNobodyElsesNoise) {
   const SimulationResult with = run_simulation(short_drive(1), 1);
   ASSERT_EQ(without.log.size(), with.log.size());
   std::size_t same = 0;
-  std::size_t scan = 0;
   for (std::size_t i = 0; i < with.log.size(); ++i) {
     if (const auto* odometry = std::get_if<Odometry>(&with.log[i])) {
       EXPECT_EQ(odometry->odometry_from_robot,
@@ -63,34 +63,79 @@ TEST(Simulate, APersonMoreChangesNobodyElsesNoise) {
     }
     const auto& a = std::get<LaserScan>(without.log[i]).ranges;
     const auto& b = std::get<LaserScan>(with.log[i]).ranges;
-    const auto& truth_a = without.recording.truth.scans[scan].beams;
-    const auto& truth_b = with.recording.truth.scans[scan].beams;
+    const auto& ideal_a = std::get<IdealScan>(without.recording.readings[i]);
+    const auto& ideal_b = std::get<IdealScan>(with.recording.readings[i]);
     for (std::size_t k = 0; k < a.size(); ++k) {
-      const bool is_alone = without.recording.scans[scan].beam(k).size() == 1 &&
-                            with.recording.scans[scan].beam(k).size() == 1;
-      if (!is_alone || truth_a[k].range != truth_b[k].range) continue;  // he stands in this beam
+      const bool is_alone = ideal_a.beam(k).size() == 1 && ideal_b.beam(k).size() == 1;
+      // He may stand in this beam.
+      if (!is_alone || ideal_a.beam(k)[0].range != ideal_b.beam(k)[0].range) continue;
       EXPECT_EQ(a[k], b[k]);
       ++same;
     }
-    ++scan;
   }
   EXPECT_GT(same, 1000u);
+}
+
+// Every option of it, written out, is a scenario that gives the same bytes.
+TEST(Simulate, TheConfigurationBesideALogSimulatesItAgain) {
+  const TemporaryFolder folder;
+  SimulationPlan plan = short_drive(2);
+  plan.settings.push_back(parse_setting("world.doors_a_side=2"));
+  plan.settings.push_back(parse_setting("robot.front.noise.bias=1 cm"));
+  plan.settings.push_back(parse_setting("driver.speed=0.3 m/s"));
+  write_simulation(folder.file("a.log"), run_simulation(plan, 7));
+
+  Settings written = load_settings(folder.file("a.config.yaml"));
+  ASSERT_EQ(written.front().path, "seed");
+  EXPECT_EQ(written.front().text, "7");
+  written.erase(written.begin());
+  write_simulation(folder.file("b.log"), run_simulation(simulation_plan(written), 7));
+  for (const char* ending : {".log", ".truth.gz", "_map.pgm", ".config.yaml"}) {
+    EXPECT_EQ(read_text_file(folder.file(std::string("a") + ending)),
+              read_text_file(folder.file(std::string("b") + ending)));
+  }
+}
+
+TEST(Simulate, AWrongDriverIsRefusedWithTheNearestOne) {
+  SimulationPlan plan = short_drive(0);
+  plan.driver = "scriptd";
+  EXPECT_INPUT_ERROR(prepare_simulation(plan),
+                     "unknown driver 'scriptd'; did you mean 'scripted'?");
+}
+
+TEST(Simulate, SensorSettingsThatDoNotGoTogetherAreRefused) {
+  SimulationPlan plan = short_drive(0);
+  plan.settings.push_back(parse_setting("robot.front.scan_rate=100 Hz"));
+  EXPECT_INPUT_ERROR(prepare_simulation(plan), "sweeps come faster than the mirror turns");
+}
+
+TEST(Simulate, PartsAreReadAndBuiltOnce) {
+  SimulationParts parts;
+  SimulationPlan plan = short_drive(0);
+  const PreparedSimulation one = prepare_simulation(plan, parts);
+  plan.settings.push_back(parse_setting("robot.front.noise.bias=1 cm"));
+  const PreparedSimulation other = prepare_simulation(plan, parts);
+  EXPECT_EQ(one.world, other.world);
+  EXPECT_EQ(one.noiseless_config, other.noiseless_config);
+  EXPECT_NE(one.config, other.config);
+  plan.settings.push_back(parse_setting("robot.front.pitch=10 deg"));
+  EXPECT_NE(prepare_simulation(plan, parts).noiseless_config, one.noiseless_config);
 }
 
 TEST(Simulate, NoPeopleMeansNobody) {
   SimulationPlan plan{.world = "museum", .robot = "pioneer", .people = 0};
   const PreparedSimulation prepared = prepare_simulation(plan);
-  EXPECT_EQ(prepared.simulation.people.walkers, 0);
-  EXPECT_EQ(prepared.simulation.people.standing, 0);
-  EXPECT_EQ(prepared.simulation.people.blockers, 0);
+  EXPECT_EQ(prepared.simulation.actors.people.walkers, 0);
+  EXPECT_EQ(prepared.simulation.actors.people.standing, 0);
+  EXPECT_EQ(prepared.simulation.actors.people.blockers, 0);
 }
 
 TEST(Simulate, WhatIsSetOfThePeopleWinsOverTheirNumber) {
   SimulationPlan plan{.world = "museum", .robot = "pioneer", .people = 15};
   plan.settings = {parse_setting("simulation.people.standing=7")};
   const PreparedSimulation prepared = prepare_simulation(plan);
-  EXPECT_EQ(prepared.simulation.people.walkers, 12);
-  EXPECT_EQ(prepared.simulation.people.standing, 7);
+  EXPECT_EQ(prepared.simulation.actors.people.walkers, 12);
+  EXPECT_EQ(prepared.simulation.actors.people.standing, 7);
 }
 
 }  // namespace

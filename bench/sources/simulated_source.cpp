@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 
+#include "sim/noise/sensor_noise.h"
 #include "sim/relations.h"
 
 namespace mapbed {
@@ -23,7 +24,7 @@ class SimulatedSource : public LogSource {
   LogInput input(const SourcePlan& plan, std::uint64_t seed) const override {
     LogInput input;
     const Robot& robot = std::get<PreparedSimulation>(plan.origin).robot;
-    input.log = with_noise(recording_, robot, Rng(seed));
+    input.log = with_noise(recording_.readings, robot, Rng(seed));
     input.truth = truth_;
     input.recording = &recording_;
     input.world = simulation_.world.get();
@@ -38,7 +39,7 @@ class SimulatedSource : public LogSource {
     const auto found = true_maps_.find(resolution);
     if (found != true_maps_.end()) return found->second;
     RasterOptions options{.resolution = resolution};
-    options.height = simulation_.robot.lasers.front().height;
+    options.height = lasers_of(simulation_.robot).front().robot_from_laser.z;
     return true_maps_.emplace(resolution, raster(*simulation_.world, options)).first->second;
   }
 

@@ -5,7 +5,7 @@
 namespace mapbed {
 namespace {
 
-const std::vector<std::string> kNames{"world", "robot", "path", "people", "log"};
+const std::vector<std::string> kNames{"world", "robot", "path", "driver", "people", "log"};
 const std::vector<std::string> kGroups{"world", "robot", "simulation", "driver", "recorder", "log"};
 
 bool contains(const std::vector<std::string>& words, const std::string& word) {

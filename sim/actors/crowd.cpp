@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/geometry/angle.h"
-#include "core/input_error.h"
-#include "sim/actors/itinerary.h"
 
 namespace mapbed {
 namespace {
@@ -15,212 +12,46 @@ using Eigen::Vector2d;
 
 constexpr double kLongestStep = 0.005;  // [s] of the forces
 constexpr double kWishEvery = 0.05;     // [s] people think this often
-constexpr int kAttempts = 300;          // to find a free place for somebody
-constexpr double kPairGap = 0.75;       // [m] between two who walk together
 constexpr double kBlockAhead = 0.9;     // [m] a blocker stands before the robot's outline
+constexpr double kWalks = 0.1;          // [m/s] who is slower stands
 
-struct Person {
-  PersonKind kind = PersonKind::walker;
-  double speed = 1.0;                  // [m/s] wished
-  std::optional<Itinerary> itinerary;  // of walkers who lead, and of blockers
-  int leader = -1;                     // of the one who walks beside
-  Vector2d place = Vector2d::Zero();   // of who stands
-  double heading = 0.0;                // [rad] of who stands
-  double blocks_from = 0.0;            // [s] next or present time
-  double blocks_until = 0.0;           // [s]
-  Gait gait{{}, 0.0};
-};
-
-const CrowdRoute& drawn_route(const CrowdRules& rules, Rng& rng) {
-  double total = 0.0;
-  for (const CrowdRoute& route : rules.routes) total += route.weight;
-  double below = rng.uniform() * total;
-  for (const CrowdRoute& route : rules.routes) {
-    if (below < route.weight) return route;
-    below -= route.weight;
+std::vector<Wall> leaves_of(const SimState& state) {
+  std::vector<Wall> leaves;
+  for (const Obstacle& o : state.obstacles) {
+    if (o.is_disc()) continue;
+    leaves.push_back({o.pose.position(), o.pose * Vector2d(o.length, 0.0), 0.0});
   }
-  return rules.routes.back();
-}
-
-bool is_free(const Vector2d& place, double radius, const FloorPlan& plan,
-             const std::vector<Walker>& others, const RobotView& robot) {
-  if (plan.clearance(place) < radius + 0.05) return false;
-  if ((place - robot.pose.position()).norm() < radius + robot.radius + 0.3) return false;
-  for (const Walker& other : others) {
-    if ((place - other.position).norm() < radius + other.radius + 0.05) return false;
-  }
-  return true;
+  return leaves;
 }
 
 }  // namespace
 
 struct Crowd::State {
-  State(const FloorPlan& p, const CrowdOptions& o) : plan(p), options(o) {}
-
-  bool add_walker(const World& world, const RobotView& robot, Rng& rng, PersonKind kind);
-  void add_companion(const RobotView& robot, Rng rng);
-  bool add_standing(const World& world, const RobotView& robot, Rng rng);
-  void draw_body(Walker& body, Person& person, Rng& rng) const;
-  bool place_on_route(const CrowdRules& rules, const RobotView& robot, Walker& body, Person& person,
-                      Rng& rng);
-  Vector2d wish_of_blocker(std::size_t i, const RobotView& robot);
+  Vector2d wish_of_blocker(std::size_t i, const Obstacle& robot);
   void wish_to_stand(std::size_t i);
   void wish_to_keep_up(std::size_t i);
-  void think(const RobotView& robot);
+  void think(const Obstacle& robot);
 
-  FloorPlan plan;
+  NavigationMap map;
   CrowdOptions options;
-  std::vector<Walker> bodies;
   std::vector<Person> people;
+  std::vector<Walker> bodies;
+  int first_entity = 0;
+  int clothes = 0;         // material of everybody
   double time = 0.0;       // [s]
   double next_wish = 0.0;  // [s]
 };
 
-void Crowd::State::draw_body(Walker& body, Person& person, Rng& rng) const {
-  body.radius = rng.uniform(0.25, 0.35);
-  body.mass = rng.uniform(60.0, 90.0);
-  person.speed = std::clamp(rng.normal(options.mean_speed, options.speed_sigma), 0.4, 1.8);
-  const GaitOptions gait{.step_length = rng.uniform(0.6, 0.8)};
-  person.gait = Gait(gait, rng.uniform());
-}
-
-bool Crowd::State::place_on_route(const CrowdRules& rules, const RobotView& robot, Walker& body,
-                                  Person& person, Rng& rng) {
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    const CrowdRoute& route = drawn_route(rules, rng);
-    const std::size_t count = route.points.size();
-    const std::size_t from = rng.index(route.closed ? count : count - 1);
-    const Vector2d a = route.points[from];
-    const Vector2d b = route.points[(from + 1) % count];
-    const Vector2d scatter = 0.3 * Vector2d(rng.normal(), rng.normal());
-    body.position = a + rng.uniform() * (b - a) + scatter;
-    const bool ahead = rng.uniform() < 0.5;
-    if (!is_free(body.position, body.radius, plan, bodies, robot)) continue;
-    const std::size_t next = ahead ? (from + 1) % count : from;
-    const Vector2d way = route.points[next] - body.position;
-    body.heading = std::atan2(way.y(), way.x());
-    person.itinerary.emplace(route, rules, next, ahead ? 1 : -1, rng.stream("itinerary"));
-    return true;
-  }
-  return false;
-}
-
-bool Crowd::State::add_walker(const World& world, const RobotView& robot, Rng& rng,
-                              PersonKind kind) {
-  Walker body;
-  Person person;
-  person.kind = kind;
-  draw_body(body, person, rng);
-  if (!place_on_route(world.crowd, robot, body, person, rng)) return false;
-  person.blocks_from = rng.uniform(0.2, 1.0) * options.block_pause;
-  person.blocks_until = person.blocks_from + options.block_time;
-  bodies.push_back(body);
-  people.push_back(std::move(person));
-  return true;
-}
-
-// Beside the last walker.
-void Crowd::State::add_companion(const RobotView& robot, Rng rng) {
-  Walker body;
-  Person person;
-  draw_body(body, person, rng);
-  const std::size_t leader = bodies.size() - 1;
-  const double side = bodies[leader].heading + kPi / 2.0;
-  for (const double sign : {1.0, -1.0}) {
-    body.position =
-        bodies[leader].position + sign * kPairGap * Vector2d(std::cos(side), std::sin(side));
-    if (!is_free(body.position, body.radius, plan, bodies, robot)) continue;
-    body.heading = bodies[leader].heading;
-    person.leader = static_cast<int>(leader);
-    bodies.push_back(body);
-    people.push_back(std::move(person));
-    return;
-  }
-}
-
-bool Crowd::State::add_standing(const World& world, const RobotView& robot, Rng rng) {
-  Walker body;
-  Person person;
-  person.kind = PersonKind::standing;
-  draw_body(body, person, rng);
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    const StandingPlace& place = world.crowd.places[rng.index(world.crowd.places.size())];
-    const double angle = rng.uniform(-kPi, kPi);
-    const double r = place.radius * std::sqrt(rng.uniform());
-    body.position = place.position + r * Vector2d(std::cos(angle), std::sin(angle));
-    if (!is_free(body.position, body.radius, plan, bodies, robot)) continue;
-    person.place = body.position;
-    person.heading = normalized_angle(place.heading + 0.4 * rng.normal());
-    body.heading = person.heading;
-    bodies.push_back(body);
-    people.push_back(std::move(person));
-    return true;
-  }
-  return false;
-}
-
-namespace {
-
-[[noreturn]] void does_not_fit(const World& world, std::size_t placed, int wanted,
-                               const std::string& what) {
-  throw InputError("the crowd does not fit: only " + std::to_string(placed) + " of " +
-                   std::to_string(wanted) + " people found a free place on " + what +
-                   " of world '" + world.name + "'; ask for fewer");
-}
-
-void check_rules(const World& world, int walkers, int standing) {
-  if (walkers > 0 && world.crowd.routes.empty()) {
-    throw InputError("world '" + world.name +
-                     "' has no routes for people to walk; add routes to its crowd, or ask for no "
-                     "walkers");
-  }
-  if (standing > 0 && world.crowd.places.empty()) {
-    throw InputError("world '" + world.name +
-                     "' has no places for people to stand; add places to its crowd, or ask for "
-                     "nobody to stand");
-  }
-}
-
-}  // namespace
-
-CrowdOptions with_people(CrowdOptions options, const CrowdRules& rules, int people) {
-  const int total = rules.walkers + rules.standing + rules.blockers;
-  const auto rounded = [&](int part) {
-    return total > 0 ? static_cast<int>(std::lround(static_cast<double>(people) * part / total))
-                     : 0;
-  };
-  options.blockers = rounded(rules.blockers);
-  options.standing = rounded(rules.blockers + rules.standing) - options.blockers;
-  options.walkers = people - options.blockers - options.standing;
-  return options;
-}
-
-Crowd::Crowd(const World& world, const FloorPlan& plan, const RobotView& robot,
-             const CrowdOptions& options, const Rng& rng)
-    : state_(std::make_unique<State>(plan, options)) {
-  State& s = *state_;
-  const int walkers = options.walkers >= 0 ? options.walkers : world.crowd.walkers;
-  const int standing = options.standing >= 0 ? options.standing : world.crowd.standing;
-  const int blockers = options.blockers >= 0 ? options.blockers : world.crowd.blockers;
-  const int total = walkers + standing + blockers;
-  check_rules(world, walkers + blockers, standing);
-
-  const auto next_stream = [&] { return rng.stream("person", s.people.size()); };
-  while (static_cast<int>(s.people.size()) < walkers + blockers) {
-    const bool is_walker = static_cast<int>(s.people.size()) < walkers;
-    Rng own = next_stream();
-    if (!s.add_walker(world, robot, own, is_walker ? PersonKind::walker : PersonKind::blocker)) {
-      does_not_fit(world, s.people.size(), total, "the routes");
-    }
-    const bool has_company = is_walker && own.uniform() < world.crowd.group_share / 2.0;
-    if (has_company && static_cast<int>(s.people.size()) < walkers) {
-      s.add_companion(robot, next_stream());
-    }
-  }
-  for (int k = 0; k < standing; ++k) {
-    if (s.add_standing(world, robot, next_stream())) continue;
-    does_not_fit(world, s.people.size(), total, "the places");
-  }
+Crowd::Crowd(const World& world, const NavigationMap& map, const Obstacle& robot,
+             const CrowdOptions& options, int first_entity, const Rng& rng) {
+  CrowdMembers members = drawn_crowd(world, map, robot, options, rng);
+  const int clothes = members.people.empty() ? 0 : material_index(world, "clothes");
+  state_ = std::make_unique<State>(State{.map = map,
+                                         .options = options,
+                                         .people = std::move(members.people),
+                                         .bodies = std::move(members.bodies),
+                                         .first_entity = first_entity,
+                                         .clothes = clothes});
 }
 
 Crowd::~Crowd() = default;
@@ -228,7 +59,7 @@ Crowd::Crowd(Crowd&&) noexcept = default;
 Crowd& Crowd::operator=(Crowd&&) noexcept = default;
 
 // Goes and stands before the robot for a while, then walks on.
-Vector2d Crowd::State::wish_of_blocker(std::size_t i, const RobotView& robot) {
+Vector2d Crowd::State::wish_of_blocker(std::size_t i, const Obstacle& robot) {
   Person& person = people[i];
   Walker& body = bodies[i];
   if (time > person.blocks_until) {
@@ -240,9 +71,9 @@ Vector2d Crowd::State::wish_of_blocker(std::size_t i, const RobotView& robot) {
   const Vector2d ahead = robot.pose.position() +
                          reach * Vector2d(std::cos(robot.pose.theta), std::sin(robot.pose.theta));
   const bool can_get_there =
-      (ahead - body.position).norm() < 8.0 && plan.is_straight_way(body.position, ahead, 0.2);
+      (ahead - body.position).norm() < 8.0 && map.is_straight_way(body.position, ahead, 0.2);
   if (time < person.blocks_from || !can_get_there) {
-    return person.itinerary->wish(body.position, person.speed, 0.8 * body.radius, plan, time);
+    return person.itinerary->wish(body.position, person.speed, 0.8 * body.radius, map, time);
   }
   const Vector2d to_go = ahead - body.position;
   const Vector2d to_robot = robot.pose.position() - body.position;
@@ -273,7 +104,7 @@ void Crowd::State::wish_to_keep_up(std::size_t i) {
   body.wish = body.keeps_heading ? Vector2d::Zero() : wish;
 }
 
-void Crowd::State::think(const RobotView& robot) {
+void Crowd::State::think(const Obstacle& robot) {
   for (std::size_t i = 0; i < people.size(); ++i) {
     Person& person = people[i];
     Walker& body = bodies[i];
@@ -284,26 +115,27 @@ void Crowd::State::think(const RobotView& robot) {
     } else if (person.leader >= 0) {
       wish_to_keep_up(i);
     } else {
-      body.wish =
-          person.itinerary->wish(body.position, person.speed, 0.8 * body.radius, plan, time);
+      body.wish = person.itinerary->wish(body.position, person.speed, 0.8 * body.radius, map, time);
       body.keeps_heading = person.itinerary->is_pausing(time);
       if (!body.keeps_heading) body.wished_heading = body.heading;
     }
   }
 }
 
-void Crowd::step(const RobotView& robot, std::span<const Wall> doors, double dt) {
+void Crowd::step(double dt, const SimState& state) {
   State& s = *state_;
   const int steps = std::max(1, static_cast<int>(std::ceil(dt / kLongestStep - 1e-9)));
   const double h = dt / steps;
+  const Obstacle& robot = state.robot;
   const RoundObstacle obstacle{robot.pose.position(), robot.velocity,
                                robot.radius + s.options.robot_margin};
+  const std::vector<Wall> leaves = leaves_of(state);
   for (int i = 0; i < steps; ++i) {
     if (s.time >= s.next_wish - 1e-9) {
       s.think(robot);
       s.next_wish = s.time + kWishEvery;
     }
-    advance(s.bodies, s.plan, doors, {&obstacle, 1}, s.options.force, h);
+    advance(s.bodies, s.map, leaves, {&obstacle, 1}, s.options.force, h);
     s.time += h;
   }
   for (std::size_t i = 0; i < s.people.size(); ++i) {
@@ -321,12 +153,34 @@ std::size_t Crowd::size() const {
 PersonView Crowd::person(std::size_t index) const {
   const Walker& body = state_->bodies[index];
   const Person& person = state_->people[index];
-  return {person.kind,
-          {body.position.x(), body.position.y(), body.heading},
-          body.velocity,
-          body.radius,
-          body.velocity.norm() > 0.1,
-          person.gait.legs()};
+  const Pose2 pose{body.position.x(), body.position.y(), body.heading};
+  return {.kind = person.kind,
+          .body = {.pose = pose, .velocity = body.velocity, .radius = body.radius},
+          .posture = {pose, person.gait.legs()},
+          .motion = body.velocity.norm() > kWalks ? Motion::moving : Motion::waiting};
+}
+
+std::vector<Entity> Crowd::entities() const {
+  std::vector<Entity> entities;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const std::string name = "person " + std::to_string(i + 1);
+    entities.push_back(person_entity(name, person(i).posture, state_->clothes));
+  }
+  return entities;
+}
+
+void Crowd::append_obstacles(std::vector<Obstacle>& obstacles) const {
+  for (std::size_t i = 0; i < size(); ++i) obstacles.push_back(person(i).body);
+}
+
+void Crowd::append_poses(std::vector<MovingPose>& poses) const {
+  for (std::size_t i = 0; i < size(); ++i) {
+    const PersonView view = person(i);
+    int part = 0;
+    for (const Pose3& pose : part_poses(view.posture)) {
+      poses.push_back({state_->first_entity + static_cast<int>(i), part++, pose, view.motion});
+    }
+  }
 }
 
 }  // namespace mapbed

@@ -24,29 +24,30 @@ World hall() {
   return world;
 }
 
-const RobotView kFarRobot{.pose = {-50.0, -50.0, 0.0}};
+const Obstacle kFarRobot{.pose = {-50.0, -50.0, 0.0}, .radius = 0.3};
+constexpr int kFirstEntity = 6;
 
-Crowd crowd_of(const World& world, const CrowdOptions& options, const RobotView& robot = kFarRobot,
+Crowd crowd_of(const World& world, const CrowdOptions& options, const Obstacle& robot = kFarRobot,
                std::uint64_t seed = 1) {
-  return Crowd(world, FloorPlan(world, 0.02, 1.9), robot, options, Rng(seed));
+  return Crowd(world, NavigationMap(world, 0.02, 1.9), robot, options, kFirstEntity, Rng(seed));
 }
 
 TEST(Crowd, NobodyGetsIntoWallsOrEachOther) {
   const World world = hall();
-  const FloorPlan plan(world, 0.02, 1.9);
+  const NavigationMap map(world, 0.02, 1.9);
   Crowd crowd = crowd_of(world, {.walkers = 12, .standing = 3});
   ASSERT_EQ(crowd.size(), 15u);
   for (int i = 0; i < 3000; ++i) {
-    crowd.step(kFarRobot, {}, 0.01);
+    crowd.step(0.01, {kFarRobot});
     for (std::size_t k = 0; k < crowd.size(); ++k) {
-      const Vector2d p = crowd.person(k).pose.position();
+      const Vector2d p = crowd.person(k).body.pose.position();
       ASSERT_GT(p.x(), 0.0);
       ASSERT_LT(p.x(), 16.0);
       ASSERT_GT(p.y(), 0.0);
       ASSERT_LT(p.y(), 8.0);
-      ASSERT_GT(plan.clearance(p), 0.5 * crowd.person(k).radius);
+      ASSERT_GT(map.clearance(p), 0.5 * crowd.person(k).body.radius);
       for (std::size_t other = 0; other < k; ++other) {
-        ASSERT_GT((p - crowd.person(other).pose.position()).norm(), 0.35);
+        ASSERT_GT((p - crowd.person(other).body.pose.position()).norm(), 0.35);
       }
     }
   }
@@ -59,11 +60,11 @@ TEST(Crowd, WalkersGetRoundAtAboutTheirSpeed) {
   Crowd crowd = crowd_of(world, {.walkers = 4, .mean_speed = 1.0, .speed_sigma = 0.0});
   double way = 0.0;
   std::vector<Vector2d> last;
-  for (std::size_t k = 0; k < 4; ++k) last.push_back(crowd.person(k).pose.position());
+  for (std::size_t k = 0; k < 4; ++k) last.push_back(crowd.person(k).body.pose.position());
   for (int i = 0; i < 4000; ++i) {
-    crowd.step(kFarRobot, {}, 0.01);
+    crowd.step(0.01, {kFarRobot});
     for (std::size_t k = 0; k < 4; ++k) {
-      const Vector2d p = crowd.person(k).pose.position();
+      const Vector2d p = crowd.person(k).body.pose.position();
       way += (p - last[k]).norm();
       last[k] = p;
     }
@@ -76,22 +77,22 @@ TEST(Crowd, WalkersGetRoundAtAboutTheirSpeed) {
 TEST(Crowd, WhoStandsStands) {
   Crowd crowd = crowd_of(hall(), {.walkers = 0, .standing = 4});
   std::vector<Vector2d> start;
-  for (std::size_t k = 0; k < 4; ++k) start.push_back(crowd.person(k).pose.position());
-  for (int i = 0; i < 2000; ++i) crowd.step(kFarRobot, {}, 0.01);
+  for (std::size_t k = 0; k < 4; ++k) start.push_back(crowd.person(k).body.pose.position());
+  for (int i = 0; i < 2000; ++i) crowd.step(0.01, {kFarRobot});
   for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_LT((crowd.person(k).pose.position() - start[k]).norm(), 0.6);
-    EXPECT_FALSE(crowd.person(k).is_moving);
+    EXPECT_LT((crowd.person(k).body.pose.position() - start[k]).norm(), 0.6);
+    EXPECT_EQ(crowd.person(k).motion, Motion::waiting);
   }
 }
 
 TEST(Crowd, ABlockerGetsInFrontOfTheRobotAndLeavesAgain) {
-  const RobotView robot{.pose = {8.0, 2.0, 0.0}, .radius = 0.3};
+  const Obstacle robot{.pose = {8.0, 2.0, 0.0}, .radius = 0.3};
   Crowd crowd = crowd_of(hall(), {.walkers = 0, .standing = 0, .blockers = 1}, robot);
   bool was_ahead = false;
   bool was_away_after = false;
   for (int i = 0; i < 8000; ++i) {
-    crowd.step(robot, {}, 0.01);
-    const Vector2d p = crowd.person(0).pose.position();
+    crowd.step(0.01, {robot});
+    const Vector2d p = crowd.person(0).body.pose.position();
     const double off = (p - Vector2d(9.2, 2.0)).norm();
     was_ahead = was_ahead || off < 0.35;
     was_away_after = was_away_after || (was_ahead && off > 3.0);
@@ -102,11 +103,11 @@ TEST(Crowd, ABlockerGetsInFrontOfTheRobotAndLeavesAgain) {
 
 TEST(Crowd, PeopleMakeRoomForTheRobotAndNeverGetIntoIt) {
   Crowd crowd = crowd_of(hall(), {.walkers = 10, .standing = 0});
-  RobotView robot{.pose = {8.0, 2.0, 0.0}, .radius = 0.35};
+  const Obstacle robot{.pose = {8.0, 2.0, 0.0}, .radius = 0.35};
   for (int i = 0; i < 3000; ++i) {
-    crowd.step(robot, {}, 0.01);
+    crowd.step(0.01, {robot});
     for (std::size_t k = 0; k < crowd.size(); ++k) {
-      const Vector2d p = crowd.person(k).pose.position();
+      const Vector2d p = crowd.person(k).body.pose.position();
       if (i <= 100) continue;  // until those nearby have gone
       ASSERT_GT((p - robot.pose.position()).norm(), 0.35 + 0.15);
     }
@@ -116,8 +117,8 @@ TEST(Crowd, PeopleMakeRoomForTheRobotAndNeverGetIntoIt) {
 TEST(Crowd, TheSameSeedGivesTheSamePeople) {
   const auto run = [](std::uint64_t seed) {
     Crowd crowd = crowd_of(hall(), {.walkers = 8, .standing = 2}, kFarRobot, seed);
-    for (int i = 0; i < 500; ++i) crowd.step(kFarRobot, {}, 0.01);
-    return crowd.person(5).pose;
+    for (int i = 0; i < 500; ++i) crowd.step(0.01, {kFarRobot});
+    return crowd.person(5).body.pose;
   };
   EXPECT_EQ(run(3), run(3));
   EXPECT_NE(run(3), run(4));
@@ -127,9 +128,34 @@ TEST(Crowd, AnotherPersonChangesNobodyElsesBody) {
   const Crowd few = crowd_of(hall(), {.walkers = 3, .standing = 0});
   const Crowd more = crowd_of(hall(), {.walkers = 4, .standing = 0});
   for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_EQ(few.person(k).pose, more.person(k).pose);
-    EXPECT_EQ(few.person(k).radius, more.person(k).radius);
+    EXPECT_EQ(few.person(k).body.pose, more.person(k).body.pose);
+    EXPECT_EQ(few.person(k).body.radius, more.person(k).body.radius);
   }
+}
+
+// Somebody's trunk stands upright over his body's middle, whose legs are on either side of it.
+TEST(Crowd, TellsWhereEveryPartOfEverybodyIs) {
+  Crowd crowd = crowd_of(hall(), {.walkers = 2, .standing = 1});
+  for (int i = 0; i < 200; ++i) crowd.step(0.01, {kFarRobot});
+  const std::vector<Entity> entities = crowd.entities();
+  std::vector<MovingPose> poses;
+  crowd.append_poses(poses);
+  ASSERT_EQ(poses.size(), 3 * entities.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const PersonView person = crowd.person(i / 3);
+    EXPECT_EQ(poses[i].entity, kFirstEntity + static_cast<int>(i / 3));
+    EXPECT_EQ(poses[i].part, static_cast<int>(i % 3));
+    EXPECT_EQ(poses[i].motion, person.motion);
+    const Vector2d place = poses[i].world_from_part.position.head<2>();
+    const double off = (place - person.body.pose.position()).norm();
+    if (poses[i].part == kTrunk) {
+      EXPECT_LT(off, 1e-9);
+    } else {
+      EXPECT_GT(off, 0.1 - 1e-9);  // half the hips' width, and more in mid-stride
+      EXPECT_LT(off, 0.5);
+    }
+  }
+  EXPECT_EQ(poses.back().motion, Motion::waiting);  // who stands comes last
 }
 
 TEST(Crowd, ManyPeopleAreDividedAsTheWorldDividesItsOwn) {

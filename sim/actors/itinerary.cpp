@@ -54,31 +54,31 @@ void Itinerary::arrive(double time) {
   corners_.clear();
 }
 
-void Itinerary::plan_way(const Eigen::Vector2d& position, double radius, const FloorPlan& plan) {
+void Itinerary::plan_way(const Eigen::Vector2d& position, double radius, const NavigationMap& map) {
   goal_ = points_[next_];
   for (int attempt = 0; attempt < 8; ++attempt) {
     const Eigen::Vector2d near =
         points_[next_] + kScatter * Eigen::Vector2d(rng_.normal(), rng_.normal());
-    if (!plan.is_straight_way(points_[next_], near, radius)) continue;
+    if (!map.is_straight_way(points_[next_], near, radius)) continue;
     goal_ = near;
     break;
   }
-  const auto way = plan.way(position, goal_, radius);
+  const auto way = map.way(position, goal_, radius);
   corners_ = way ? *way : std::vector<Eigen::Vector2d>{position, goal_};
   corner_ = 1;
 }
 
 Eigen::Vector2d Itinerary::wish(const Eigen::Vector2d& position, double speed, double radius,
-                                const FloorPlan& plan, double time) {
+                                const NavigationMap& map, double time) {
   if (is_pausing(time)) {
     anchored_at_ = time;
     return Eigen::Vector2d::Zero();
   }
-  if (corners_.empty()) plan_way(position, radius, plan);
+  if (corners_.empty()) plan_way(position, radius, map);
   if ((goal_ - position).norm() < kArrived) {
     arrive(time);
     if (is_pausing(time)) return Eigen::Vector2d::Zero();
-    plan_way(position, radius, plan);
+    plan_way(position, radius, map);
   }
   if ((position - anchor_).norm() > kProgress) {
     anchor_ = position;
@@ -87,13 +87,13 @@ Eigen::Vector2d Itinerary::wish(const Eigen::Vector2d& position, double speed, d
   }
   if (time - anchored_at_ > kPatience) {
     if (++vain_plans_ >= kVainPlans) turn_back();
-    plan_way(position, radius, plan);
+    plan_way(position, radius, map);
     anchored_at_ = time;
   }
   if (time >= next_look_) {
     next_look_ = time + kLookEvery;
     while (corner_ + 1 < corners_.size() &&
-           plan.is_straight_way(position, corners_[corner_ + 1], radius)) {
+           map.is_straight_way(position, corners_[corner_ + 1], radius)) {
       ++corner_;
     }
   }

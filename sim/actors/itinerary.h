@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "core/random.h"
-#include "sim/actors/floor_plan.h"
+#include "sim/actors/navigation_map.h"
 #include "worlds/world.h"
 
 namespace mapbed {
@@ -20,13 +20,13 @@ class Itinerary {
 
   // Wished velocity [m/s] of somebody there who walks at `speed`.
   Eigen::Vector2d wish(const Eigen::Vector2d& position, double speed, double radius,
-                       const FloorPlan& plan, double time);
+                       const NavigationMap& map, double time);
   bool is_pausing(double time) const { return time < pause_until_; }
 
  private:
   void arrive(double time);
   void turn_back();
-  void plan_way(const Eigen::Vector2d& position, double radius, const FloorPlan& plan);
+  void plan_way(const Eigen::Vector2d& position, double radius, const NavigationMap& map);
 
   std::vector<Eigen::Vector2d> points_;
   bool closed_;

@@ -76,12 +76,12 @@ struct WallForce {
   double nearest = 0.0;  // [m] to the nearest wall; infinite where none is in reach
 };
 
-WallForce force_of_walls(const Walker& walker, const FloorPlan& plan, std::span<const Wall> doors,
-                         const SocialForceOptions& o) {
+WallForce force_of_walls(const Walker& walker, const NavigationMap& map,
+                         std::span<const Wall> doors, const SocialForceOptions& o) {
   const double radius = o.shoulder * walker.radius;
   const double reach = radius + kFarAway * o.range;
   WallPoints near(walker.position);
-  for (const Wall& wall : plan.walls_near(walker.position)) near.consider(wall, reach);
+  for (const Wall& wall : map.walls_near(walker.position)) near.consider(wall, reach);
   for (const Wall& wall : doors) near.consider(wall, reach);
   WallForce result;
   result.nearest = near.nearest();
@@ -170,16 +170,17 @@ void keep_out_of_robots(Walker& w, std::span<const RoundObstacle> robots) {
   }
 }
 
-void keep_out_of_walls(Walker& w, const FloorPlan& plan, std::span<const Wall> doors, double hard) {
+void keep_out_of_walls(Walker& w, const NavigationMap& map, std::span<const Wall> doors,
+                       double hard) {
   for (const Wall& wall : doors) keep_out(w, nearest_point(wall, w.position), hard);
-  for (const Wall& wall : plan.walls_near(w.position)) {
+  for (const Wall& wall : map.walls_near(w.position)) {
     keep_out(w, nearest_point(wall, w.position), hard);
   }
 }
 
 }  // namespace
 
-void advance(std::vector<Walker>& walkers, const FloorPlan& plan, std::span<const Wall> doors,
+void advance(std::vector<Walker>& walkers, const NavigationMap& map, std::span<const Wall> doors,
              std::span<const RoundObstacle> robots, const SocialForceOptions& options, double dt) {
   std::vector<Vector2d> forces(walkers.size(), Vector2d::Zero());
   add_forces_between(walkers, forces, options);
@@ -188,14 +189,14 @@ void advance(std::vector<Walker>& walkers, const FloorPlan& plan, std::span<cons
   }
   for (std::size_t i = 0; i < walkers.size(); ++i) {
     Walker& w = walkers[i];
-    const WallForce walls = force_of_walls(w, plan, doors, options);
+    const WallForce walls = force_of_walls(w, map, doors, options);
     const Vector2d before = w.position;
     move(w, forces[i] + walls.force, options, dt);
     keep_out_of_robots(w, robots);
     // Only who may have got too near has to be looked at again.
     const double hard = kHardShare * options.shoulder * w.radius;
     if (walls.nearest - (w.position - before).norm() < hard) {
-      keep_out_of_walls(w, plan, doors, hard);
+      keep_out_of_walls(w, map, doors, hard);
     }
   }
 }

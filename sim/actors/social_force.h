@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "core/config/option.h"
-#include "sim/actors/floor_plan.h"
+#include "sim/actors/navigation_map.h"
 
 namespace mapbed {
 
@@ -56,7 +56,7 @@ struct RoundObstacle {
 
 // All walkers `dt` later; steps of 5 ms are stable. Whatever the forces do, nobody's middle comes
 // nearer to a wall than 0.7 of the shoulders' radius, nor into a robot where walls leave room.
-void advance(std::vector<Walker>& walkers, const FloorPlan& plan, std::span<const Wall> doors,
+void advance(std::vector<Walker>& walkers, const NavigationMap& map, std::span<const Wall> doors,
              std::span<const RoundObstacle> robots, const SocialForceOptions& options, double dt);
 
 template <class Visitor>

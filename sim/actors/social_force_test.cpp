@@ -20,7 +20,7 @@ Walker walker_at(const Vector2d& position, const Vector2d& wish) {
   return walker;
 }
 
-void walk(std::vector<Walker>& walkers, const FloorPlan& plan, double seconds,
+void walk(std::vector<Walker>& walkers, const NavigationMap& plan, double seconds,
           std::span<const RoundObstacle> robots = {}) {
   for (int i = 0; i < static_cast<int>(seconds / kStep); ++i) {
     advance(walkers, plan, {}, robots, {}, kStep);
@@ -28,7 +28,7 @@ void walk(std::vector<Walker>& walkers, const FloorPlan& plan, double seconds,
 }
 
 TEST(SocialForce, AloneReachesTheWishedVelocityWithItsTimeConstant) {
-  const FloorPlan plan(std::vector<Wall>{});
+  const NavigationMap plan(std::vector<Wall>{});
   std::vector<Walker> walkers{walker_at({0.0, 0.0}, {1.2, 0.0})};
   walk(walkers, plan, 0.5);
   EXPECT_NEAR(walkers[0].velocity.x(), 1.2 * (1.0 - std::exp(-1.0)), 0.01);
@@ -37,7 +37,7 @@ TEST(SocialForce, AloneReachesTheWishedVelocityWithItsTimeConstant) {
 }
 
 TEST(SocialForce, TurnsIntoTheWishedDirection) {
-  const FloorPlan plan(std::vector<Wall>{});
+  const NavigationMap plan(std::vector<Wall>{});
   std::vector<Walker> walkers{walker_at({0.0, 0.0}, {1.0, 0.0})};
   walk(walkers, plan, 3.0);
   walkers[0].wish = {0.0, 1.0};
@@ -47,7 +47,7 @@ TEST(SocialForce, TurnsIntoTheWishedDirection) {
 }
 
 TEST(SocialForce, TwoWhoMeetPassEachOtherWithoutOverlap) {
-  const FloorPlan plan(small_room(12.0, 4.0), 0.02, 1.9);
+  const NavigationMap plan(small_room(12.0, 4.0), 0.02, 1.9);
   std::vector<Walker> walkers{walker_at({1.0, 2.0}, {1.2, 0.0}),
                               walker_at({11.0, 2.2}, {-1.2, 0.0})};
   double nearest = 10.0;
@@ -61,7 +61,7 @@ TEST(SocialForce, TwoWhoMeetPassEachOtherWithoutOverlap) {
 }
 
 TEST(SocialForce, NobodyWalksThroughAWall) {
-  const FloorPlan plan(small_room(6.0, 4.0), 0.02, 1.9);
+  const NavigationMap plan(small_room(6.0, 4.0), 0.02, 1.9);
   for (const double speed : {0.8, 1.5, 2.5}) {
     std::vector<Walker> walkers;
     for (int i = 0; i < 8; ++i) {  // a push of eight against one wall
@@ -80,7 +80,7 @@ TEST(SocialForce, NobodyWalksThroughAWall) {
 }
 
 TEST(SocialForce, NobodyWalksThroughTheRobot) {
-  const FloorPlan plan(small_room(10.0, 4.0), 0.02, 1.9);
+  const NavigationMap plan(small_room(10.0, 4.0), 0.02, 1.9);
   const RoundObstacle robot{{5.0, 2.0}, {0.0, 0.0}, 0.35};
   std::vector<Walker> walkers{walker_at({2.0, 2.0}, {1.5, 0.0}),
                               walker_at({8.0, 2.05}, {-1.5, 0.0})};
@@ -96,7 +96,7 @@ TEST(SocialForce, ADoorOf90CentimetresIsPassed) {
   World world = small_room(8.0, 4.0);
   world.entities.push_back(block("south post", {4.0, 0.775}, {0.2, 1.55}));
   world.entities.push_back(block("north post", {4.0, 3.225}, {0.2, 1.55}));
-  const FloorPlan plan(world, 0.02, 1.9);
+  const NavigationMap plan(world, 0.02, 1.9);
   for (const double radius : {0.25, 0.30, 0.35}) {
     std::vector<Walker> walkers{walker_at({1.5, 1.7}, {1.1, 0.0})};
     walkers[0].radius = radius;
@@ -110,7 +110,7 @@ TEST(SocialForce, ADoorOf90CentimetresIsPassed) {
 }
 
 TEST(SocialForce, WhoStandsStaysAndLooksWhereHeWants) {
-  const FloorPlan plan(std::vector<Wall>{});
+  const NavigationMap plan(std::vector<Wall>{});
   std::vector<Walker> walkers{walker_at({0.0, 0.0}, {0.0, 0.0})};
   walkers[0].keeps_heading = true;
   walkers[0].wished_heading = 2.0;

@@ -76,8 +76,8 @@ Surfaces surfaces_of(std::span<const Echo> echoes, const LaserNoise& noise, cons
   return result;
 }
 
-// Neighbouring surfaces melted into one, power-weighted.
-Surface melted(std::span<const Surface> surfaces) {
+// Neighbouring surfaces merged into one, power-weighted.
+Surface merged(std::span<const Surface> surfaces) {
   if (surfaces.size() == 1) return surfaces.front();
   Surface sum{0.0, 0.0, 0.0};
   for (const Surface& s : surfaces) {
@@ -89,15 +89,15 @@ Surface melted(std::span<const Surface> surfaces) {
   return sum;
 }
 
-// Draws one of the groups into which gaps of `melting` or more divide the surfaces.
-Surface drawn_group(std::span<const Surface> surfaces, double melting, double u) {
+// Draws one of the groups into which gaps of `merging` or more divide the surfaces.
+Surface drawn_group(std::span<const Surface> surfaces, double merging, double u) {
   double total = 0.0;
   for (const Surface& s : surfaces) total += s.power;
   double below = u * total;
   std::size_t first = 0;
   for (std::size_t i = 1; i <= surfaces.size(); ++i) {
-    if (i < surfaces.size() && surfaces[i].range - surfaces[i - 1].range < melting) continue;
-    const Surface group = melted(surfaces.subspan(first, i - first));
+    if (i < surfaces.size() && surfaces[i].range - surfaces[i - 1].range < merging) continue;
+    const Surface group = merged(surfaces.subspan(first, i - first));
     if (below < group.power || i == surfaces.size()) return group;
     below -= group.power;
     first = i;
@@ -109,7 +109,7 @@ Surface seen_surface(const Surfaces& all, const LaserNoise& noise, double u) {
   const std::span<const Surface> list(all.list.data(), all.count);
   switch (noise.mixed_pixels) {
     case MixedPixels::weighted:
-      return melted(list);
+      return merged(list);
     case MixedPixels::either:
       return drawn_group(list, 0.02, u);  // one surface seen by several sub-rays stays one
     case MixedPixels::pulse:
@@ -117,7 +117,7 @@ Surface seen_surface(const Surfaces& all, const LaserNoise& noise, double u) {
     case MixedPixels::off:
       break;
   }
-  Surface axis = melted(list);
+  Surface axis = merged(list);
   axis.range = all.axis_range;
   return axis;
 }
@@ -166,9 +166,10 @@ LaserScan with_noise(const IdealScan& ideal, const MountedLaser& laser, const Rn
   LaserScan scan;
   scan.time = ideal.time;
   scan.laser = ideal.laser;
-  scan.robot_from_laser = {.planar = laser.robot_from_laser, .z = laser.height};
+  scan.robot_from_laser = laser.robot_from_laser;
   scan.first_bearing = model.first_bearing;
   scan.bearing_step = model.bearing_step;
+  scan.beam_period = model.beam_period();
   scan.max_range = model.max_range;
   scan.ranges.resize(ideal.beam_count());
 

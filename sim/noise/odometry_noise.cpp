@@ -51,13 +51,4 @@ Odometry OdometryReader::read(const IdealOdometry& ideal) {
   return {ideal.time, pose_, ideal.forward_velocity, ideal.turn_velocity};
 }
 
-std::vector<Odometry> with_noise(std::span<const IdealOdometry> ideal, const OdometryModel& model,
-                                 const Rng& rng) {
-  OdometryReader reader(model, rng);
-  std::vector<Odometry> readings;
-  readings.reserve(ideal.size());
-  for (const IdealOdometry& reading : ideal) readings.push_back(reader.read(reading));
-  return readings;
-}
-
 }  // namespace mapbed

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "core/random.h"
 #include "core/sensor/odometry.h"
 #include "robots/odometry_model.h"
-#include "sim/sensors/ideal_scan.h"
+#include "sim/sensors/ideal_odometry.h"
 
 namespace mapbed {
 
@@ -33,8 +30,5 @@ class OdometryReader {
   Pose2 pose_;
   std::uint64_t count_ = 0;
 };
-
-std::vector<Odometry> with_noise(std::span<const IdealOdometry> ideal, const OdometryModel& model,
-                                 const Rng& rng);
 
 }  // namespace mapbed

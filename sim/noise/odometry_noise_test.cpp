@@ -9,6 +9,14 @@
 namespace mapbed {
 namespace {
 
+std::vector<Odometry> with_noise(const std::vector<IdealOdometry>& ideal,
+                                 const OdometryModel& model, const Rng& rng) {
+  OdometryReader reader(model, rng);
+  std::vector<Odometry> readings;
+  for (const IdealOdometry& reading : ideal) readings.push_back(reader.read(reading));
+  return readings;
+}
+
 constexpr int kSteps = 20'000;
 
 std::vector<IdealOdometry> same_step(const Pose2& step) {

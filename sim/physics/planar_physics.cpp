@@ -65,6 +65,23 @@ void add_robot_shape(b2Body& body, const Robot& robot) {
   add_fixture(body, box, robot.mass / (f.length * f.width));
 }
 
+// An obstacle that somebody else moves.
+struct Mover {
+  b2Body* body = nullptr;
+  bool is_disc = false;
+  double reach = 0.0;  // [m] from its origin
+  Pose2 target;        // where it is after the next step
+};
+
+// Discs do not turn.
+Pose2 place_of(bool is_disc, const Pose2& pose) {
+  return is_disc ? Pose2{pose.x, pose.y, 0.0} : pose;
+}
+
+double reach_of(const Obstacle& obstacle) {
+  return obstacle.is_disc() ? obstacle.radius : std::hypot(obstacle.length, obstacle.thickness);
+}
+
 }  // namespace
 
 struct PlanarPhysics::State {
@@ -73,20 +90,18 @@ struct PlanarPhysics::State {
   b2World world;
   Wheels wheels;
   b2Body* robot = nullptr;
-  std::vector<b2Body*> movers;  // index: id
-  std::vector<double> reaches;  // [m] of the movers, from their origins
-  std::vector<Pose2> targets;   // where the movers are after the next step
-  double robot_reach = 0.0;     // [m]
+  std::vector<Mover> movers;  // index: id
+  double robot_reach = 0.0;   // [m]
 
-  void send_to_target(std::size_t mover, double dt);
+  void send_to_target(const Mover& mover, double dt);
 };
 
 // Beside the robot with the velocity that takes it there, so that the two push each other; far from
 // it by a leap, asleep, which is all that there is to it and much cheaper.
-void PlanarPhysics::State::send_to_target(std::size_t mover, double dt) {
+void PlanarPhysics::State::send_to_target(const Mover& mover, double dt) {
   constexpr double kLeast = 1.0;  // [m] between mover and robot
-  b2Body& body = *movers[mover];
-  const Pose2& target = targets[mover];
+  b2Body& body = *mover.body;
+  const Pose2& target = mover.target;
   const b2Vec2 way = b2(target.x, target.y) - body.GetPosition();
   const double turn = angle_difference(body.GetAngle(), target.theta);
   if (way.LengthSquared() == 0.0F && std::abs(turn) < 1e-6) {
@@ -95,7 +110,7 @@ void PlanarPhysics::State::send_to_target(std::size_t mover, double dt) {
     return;
   }
   const b2Vec2 from_robot = body.GetPosition() - robot->GetPosition();
-  if (from_robot.Length() > reaches[mover] + robot_reach + kLeast) {
+  if (from_robot.Length() > mover.reach + robot_reach + kLeast) {
     body.SetTransform(b2(target.x, target.y), static_cast<float>(target.theta));
     body.SetAwake(false);
     return;
@@ -130,44 +145,38 @@ PlanarPhysics::~PlanarPhysics() = default;
 PlanarPhysics::PlanarPhysics(PlanarPhysics&&) noexcept = default;
 PlanarPhysics& PlanarPhysics::operator=(PlanarPhysics&&) noexcept = default;
 
-int PlanarPhysics::add_person(const Eigen::Vector2d& position, double radius) {
+int PlanarPhysics::add(const Obstacle& obstacle) {
+  const auto id = static_cast<int>(state_->movers.size());
+  const Pose2 pose = place_of(obstacle.is_disc(), obstacle.pose);
   b2BodyDef def;
   def.type = b2_kinematicBody;
-  def.position = b2(position);
+  def.position = b2(pose.x, pose.y);
+  def.angle = static_cast<float>(pose.theta);
   b2Body* body = state_->world.CreateBody(&def);
-  b2CircleShape circle;
-  circle.m_radius = static_cast<float>(radius);
-  add_fixture(*body, circle, 0.0);
-  state_->movers.push_back(body);
-  state_->reaches.push_back(radius);
-  state_->targets.push_back({position.x(), position.y(), 0.0});
-  return static_cast<int>(state_->movers.size()) - 1;
-}
-
-int PlanarPhysics::add_door(const Pose2& world_from_hinge, double width, double thickness) {
-  b2BodyDef def;
-  def.type = b2_kinematicBody;
-  def.position = b2(world_from_hinge.x, world_from_hinge.y);
-  def.angle = static_cast<float>(world_from_hinge.theta);
-  b2Body* body = state_->world.CreateBody(&def);
-  b2PolygonShape leaf;
-  leaf.SetAsBox(static_cast<float>(width / 2.0), static_cast<float>(thickness / 2.0),
-                b2(width / 2.0, 0.0), 0.0F);
-  add_fixture(*body, leaf, 0.0);
-  state_->movers.push_back(body);
-  state_->reaches.push_back(std::hypot(width, thickness));
-  state_->targets.push_back(world_from_hinge);
-  return static_cast<int>(state_->movers.size()) - 1;
+  if (obstacle.is_disc()) {
+    b2CircleShape circle;
+    circle.m_radius = static_cast<float>(obstacle.radius);
+    add_fixture(*body, circle, 0.0);
+  } else {
+    b2PolygonShape leaf;
+    leaf.SetAsBox(static_cast<float>(obstacle.length / 2.0),
+                  static_cast<float>(obstacle.thickness / 2.0), b2(obstacle.length / 2.0, 0.0),
+                  0.0F);
+    add_fixture(*body, leaf, 0.0);
+  }
+  state_->movers.push_back({body, obstacle.is_disc(), reach_of(obstacle), pose});
+  return id;
 }
 
 void PlanarPhysics::move(int id, const Pose2& pose) {
   CHECK(id >= 0 && static_cast<std::size_t>(id) < state_->movers.size());
-  state_->targets[static_cast<std::size_t>(id)] = pose;
+  Mover& mover = state_->movers[static_cast<std::size_t>(id)];
+  mover.target = place_of(mover.is_disc, pose);
 }
 
 void PlanarPhysics::step(const DriveCommand& command, double dt) {
   State& s = *state_;
-  for (std::size_t i = 0; i < s.movers.size(); ++i) s.send_to_target(i, dt);
+  for (const Mover& mover : s.movers) s.send_to_target(mover, dt);
 
   s.wheels.drive(command, dt);
   const Twist2 now = robot_velocity();

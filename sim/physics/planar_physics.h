@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/random.h"
+#include "sim/actors/obstacle.h"
 #include "sim/physics/wheels.h"
 #include "worlds/world.h"
 
@@ -18,9 +19,8 @@ class PlanarPhysics {
   PlanarPhysics(PlanarPhysics&&) noexcept;
   PlanarPhysics& operator=(PlanarPhysics&&) noexcept;
 
-  // Moving obstacles go where somebody else takes them. Both give an id for move().
-  int add_person(const Eigen::Vector2d& position, double radius);
-  int add_door(const Pose2& world_from_hinge, double width, double thickness);
+  // Something that goes where somebody else takes it; gives an id for move().
+  int add(const Obstacle& obstacle);
   // During the next step it gets from where it is to `pose`.
   void move(int id, const Pose2& pose);
 

@@ -43,7 +43,7 @@ TEST(PlanarPhysics, AWallStopsTheRobotAndItsWheelsSpin) {
 
 TEST(PlanarPhysics, APersonInTheWayStopsTheRobotAndIsNotPushed) {
   PlanarPhysics physics(small_room(6.0, 4.0), round_robot(), {1.0, 2.0, 0.0}, Rng(1));
-  physics.add_person({2.0, 2.0}, 0.3);
+  physics.add({.pose = {2.0, 2.0, 1.0}, .radius = 0.3});
   drive(physics, {.forward_velocity = 0.5}, 4.0);
   EXPECT_NEAR(physics.robot().x, 2.0 - 0.3 - 0.25, 0.02);
 }
@@ -52,7 +52,7 @@ TEST(PlanarPhysics, AShutDoorStopsTheRobotAndAnOpenOneDoesNot) {
   for (const bool open : {false, true}) {
     PlanarPhysics physics(small_room(6.0, 4.0), round_robot(), {1.0, 2.0, 0.0}, Rng(1));
     const Pose2 shut{3.0, 1.5, kPi / 2.0};
-    const int door = physics.add_door(shut, 1.0, 0.04);
+    const int door = physics.add({.pose = shut, .length = 1.0, .thickness = 0.04});
     if (open) physics.move(door, {3.0, 1.5, 0.0});
     drive(physics, {.forward_velocity = 0.5}, 6.0);
     if (open) {

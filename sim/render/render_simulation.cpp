@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "core/geometry/angle.h"
 #include "sim/actors/person_body.h"
@@ -36,51 +37,62 @@ Part upright_box(const std::string& name, const Pose2& middle, double length, do
           .material = material};
 }
 
-void place_leaves(World& world, const std::vector<Pose2>& leaves) {
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    const auto id = static_cast<std::size_t>(world.doors[i].entity);
-    world.entities[id].world_from_entity = upright(leaves[i]);
+// Those that move by themselves: what is the world's goes to its place there, the others come
+// besides.
+std::vector<Entity> placed_entities(const Simulation& simulation, World& world) {
+  std::map<int, Entity> others;
+  for (const MovingPose& moving : simulation.now().moving) {
+    const auto id = static_cast<std::size_t>(moving.entity);
+    Entity& entity =
+        id < world.entities.size()
+            ? world.entities[id]
+            : others.try_emplace(moving.entity, simulation.entity(moving.entity)).first->second;
+    entity.world_from_entity = {};
+    entity.parts[static_cast<std::size_t>(moving.part)].entity_from_part = moving.world_from_part;
   }
+  std::vector<Entity> entities;
+  for (auto& [id, entity] : others) entities.push_back(std::move(entity));
+  return entities;
 }
 
-std::vector<Entity> people_of(World& world, const std::vector<PersonView>& people) {
+// People get shirts and heads.
+void dress(std::vector<Entity>& entities, World& world) {
   std::array<int, kShirts.size()> shirts{};
   for (std::size_t i = 0; i < shirts.size(); ++i) shirts[i] = add_color(world, kShirts[i]);
   const int trousers = add_color(world, {0.16, 0.18, 0.24});
   const int skin = add_color(world, {0.80, 0.62, 0.50});
-  std::vector<Entity> entities;
-  for (std::size_t i = 0; i < people.size(); ++i) {
-    Entity person = person_entity("person", people[i], trousers);
-    person.parts[kTrunk].material = shirts[i % shirts.size()];
-    person.parts.push_back(upright_cylinder("head", {}, 0.11, 1.6, 1.84, skin));
-    entities.push_back(std::move(person));
+  std::size_t next = 0;
+  for (Entity& person : entities) {
+    if (person.kind != EntityKind::person) continue;
+    for (Part& part : person.parts) part.material = trousers;
+    Part& trunk = person.parts[kTrunk];
+    trunk.material = shirts[next++ % shirts.size()];
+    const Pose2 middle = planar(trunk.entity_from_part);
+    person.parts.push_back(upright_cylinder("head", middle, 0.11, 1.6, 1.84, skin));
   }
-  return entities;
 }
 
 // What the first laser sees at this moment; nothing before its first sweep is over.
 std::vector<LaserFan> fans_of(Simulation& simulation) {
-  const Robot& robot = simulation.robot();
-  if (robot.lasers.empty()) return {};
-  const MountedLaser& laser = robot.lasers[0];
-  const double start = simulation.now().time - laser.model.sweep_time();
+  const std::vector<MountedLaser> lasers = lasers_of(simulation.robot());
+  if (lasers.empty()) return {};
+  const auto& [mount, laser] = lasers[0];
+  const double start = simulation.now().time - laser.sweep_time();
   if (start < 0.0) return {};
-  const TruthScan scan = simulation.sweep(0, start, 0).truth;
+  const std::vector<BeamTruth> beams = simulation.sweep(0, start, 0).truth.beams;
   // Each beam from where the robot was when it was sent.
+  const Pose3 robot_from_laser = mount.pose();
   const auto point = [&](const Pose2& world_from_robot, double range, double bearing) {
-    const Eigen::Vector2d p = world_from_robot * laser.robot_from_laser *
-                              Eigen::Vector2d(range * std::cos(bearing), range * std::sin(bearing));
-    return Eigen::Vector3d(p.x(), p.y(), laser.height);
+    const Eigen::Vector3d in_laser(range * std::cos(bearing), range * std::sin(bearing), 0.0);
+    return Eigen::Vector3d(upright(world_from_robot) * (robot_from_laser * in_laser));
   };
   LaserFan fan{.origin = point(simulation.now().robot, 0.0, 0.0)};
-  for (std::size_t k = 0; k < scan.beams.size(); ++k) {
-    const Pose2 sent_from =
-        simulation.at(start + laser.model.beam_delay(static_cast<int>(k))).robot;
-    const double bearing =
-        laser.model.first_bearing + static_cast<double>(k) * laser.model.bearing_step;
-    const double range = scan.beams[k].range;
-    fan.is_hit.push_back(range < laser.model.max_range);
-    fan.ends.push_back(point(sent_from, std::min(range, laser.model.max_range), bearing));
+  for (std::size_t k = 0; k < beams.size(); ++k) {
+    const Pose2 sent_from = simulation.at(start + laser.beam_delay(static_cast<int>(k))).robot;
+    const double bearing = laser.first_bearing + static_cast<double>(k) * laser.bearing_step;
+    const double range = beams[k].range;
+    fan.is_hit.push_back(range < laser.max_range);
+    fan.ends.push_back(point(sent_from, std::min(range, laser.max_range), bearing));
   }
   return {fan};
 }
@@ -106,28 +118,28 @@ Entity robot_entity(const Robot& robot, const Pose2& world_from_robot, int body,
                                          0.1 * foot.width, 0.0, 2 * wheel, dark));
     }
   }
-  for (const MountedLaser& laser : robot.lasers) {
-    entity.parts.push_back(upright_box("laser", laser.robot_from_laser, 0.15, 0.15,
-                                       laser.height - 0.09, laser.height + 0.09, dark));
+  for (const MountedLaser& laser : lasers_of(robot)) {
+    entity.parts.push_back({.name = "laser",
+                            .geometry = Box{{0.15, 0.15, 0.18}},
+                            .entity_from_part = laser.robot_from_laser.pose(),
+                            .material = dark});
   }
   return entity;
 }
 
 RgbImage render_simulation(Painter& painter, Simulation& simulation, const RenderOptions& options) {
   World world = simulation.world();
-  const Situation now = simulation.now();
-  place_leaves(world, now.leaves);
-  Guests guests;
-  guests.fans = fans_of(simulation);
-  guests.entities = people_of(world, now.people);
+  const Pose2 robot = simulation.now().robot;
+  Visitors visitors;
+  visitors.fans = fans_of(simulation);
+  visitors.entities = placed_entities(simulation, world);
+  dress(visitors.entities, world);
   const int red = add_color(world, {0.72, 0.12, 0.10});
   const int dark = add_color(world, {0.12, 0.12, 0.13});
-  guests.entities.push_back(robot_entity(simulation.robot(), now.robot, red, dark));
+  visitors.entities.push_back(robot_entity(simulation.robot(), robot, red, dark));
   RenderOptions about_robot = options;
-  if (options.reach > 0.0 && options.center.empty()) {
-    about_robot.center = {now.robot.x, now.robot.y};
-  }
-  return render_world(painter, world, about_robot, guests);
+  if (options.reach > 0.0 && options.center.empty()) about_robot.center = {robot.x, robot.y};
+  return render_world(painter, world, about_robot, visitors);
 }
 
 }  // namespace mapbed

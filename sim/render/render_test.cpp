@@ -96,13 +96,13 @@ TEST(RenderWorld, CutsWallsAndNothingElse) {
   EXPECT_EQ(seen_at(image, 0, 5), seen_at(image, 0, -5)) << "what begins above the cut is gone";
 }
 
-TEST(RenderWorld, ShowsGuestsAndTheirLaser) {
+TEST(RenderWorld, ShowsVisitorsAndTheirLaser) {
   const World world = white_floor();
-  Guests guests;
-  guests.entities = {box("robot", {-5, 0, 0.5}, {2, 2, 1}, 1)};
-  guests.fans = {
+  Visitors visitors;
+  visitors.entities = {box("robot", {-5, 0, 0.5}, {2, 2, 1}, 1)};
+  visitors.fans = {
       {.origin = {-4, 0, 0.3}, .ends = {{6, -4, 0.3}, {6, 4, 0.3}}, .is_hit = {true, true}}};
-  const RgbImage image = render_world(world, kPlan, guests);
+  const RgbImage image = render_world(world, kPlan, visitors);
   EXPECT_TRUE(is_red(seen_at(image, -5, 0)));
   const Rgb fan = seen_at(image, 3, 0);
   EXPECT_GT(fan.red, fan.green + 20) << "a tinge of red over the floor";
@@ -129,10 +129,9 @@ TEST(RenderSimulation, ShowsTheRobotWhereItStandsAndWhatItSees) {
   robot.height = 0.4;
   robot.footprint = {.length = 2.0, .width = 2.0};
   robot.drive.track = 1.6;
-  MountedLaser laser;
-  laser.height = 0.5;
-  laser.model.max_range = 30.0;
-  robot.lasers = {laser};
+  LaserModel laser;
+  laser.max_range = 30.0;
+  robot.sensors = {{.name = "front", .robot_from_sensor = {.z = 0.5}, .model = laser}};
   Simulation simulation(world, robot, {-5.0, 3.0, 0.0}, {}, Rng(1));
   for (int i = 0; i < 10; ++i) simulation.step({});
   Painter painter;

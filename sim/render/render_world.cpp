@@ -12,12 +12,12 @@ const std::array<Eigen::Vector3d, 4> kPathColors = {
     Eigen::Vector3d(0.12, 0.47, 0.71), Eigen::Vector3d(1.0, 0.5, 0.05),
     Eigen::Vector3d(0.17, 0.63, 0.17), Eigen::Vector3d(0.58, 0.4, 0.74)};
 
-PaintedMesh painted(const World& world, const RenderOptions& options, const Guests& guests) {
+PaintedMesh painted(const World& world, const RenderOptions& options, const Visitors& visitors) {
   PaintedMesh mesh;
   const PaintOptions paint_options{.cut_height = options.cut_height};
   for (const Entity& entity : world.entities) paint(mesh, entity, world.materials, paint_options);
-  for (const Entity& entity : guests.entities) paint(mesh, entity, world.materials);
-  for (const LaserFan& fan : guests.fans) paint(mesh, fan);
+  for (const Entity& entity : visitors.entities) paint(mesh, entity, world.materials);
+  for (const LaserFan& fan : visitors.fans) paint(mesh, fan);
   for (std::size_t i = 0; options.paths && i < world.paths.size(); ++i) {
     std::vector<Eigen::Vector3d> points;
     // Each path a hair higher than the one before, so that neither flickers through the other.
@@ -50,19 +50,19 @@ Eigen::AlignedBox3d shown(const World& world, const RenderOptions& options) {
 
 }  // namespace
 
-RgbImage render_world(const World& world, const RenderOptions& options, const Guests& guests) {
+RgbImage render_world(const World& world, const RenderOptions& options, const Visitors& visitors) {
   Painter painter;
-  return render_world(painter, world, options, guests);
+  return render_world(painter, world, options, visitors);
 }
 
 RgbImage render_world(Painter& painter, const World& world, const RenderOptions& options,
-                      const Guests& guests) {
+                      const Visitors& visitors) {
   const Eigen::AlignedBox3d box = shown(world, options);
   const double aspect = static_cast<double>(options.width) / options.height;
   const Camera camera = options.view == View::plan
                             ? plan_of(box, aspect)
                             : camera_on(box, options.azimuth, options.elevation, aspect);
-  return painter.draw(painted(world, options, guests), camera,
+  return painter.draw(painted(world, options, visitors), camera,
                       {.width = options.width,
                        .height = options.height,
                        .samples = options.samples,

@@ -45,15 +45,15 @@ void visit_fields(RenderOptions& o, Visitor&& visit) {
 
 // What is in the world for the moment: robots and people where they are, what a laser sees. Their
 // materials are the world's.
-struct Guests {
+struct Visitors {
   std::vector<Entity> entities;
   std::vector<LaserFan> fans;
 };
 
 RgbImage render_world(const World& world, const RenderOptions& options = {},
-                      const Guests& guests = {});
+                      const Visitors& visitors = {});
 // The same with a painter of one's own, for many pictures.
 RgbImage render_world(Painter& painter, const World& world, const RenderOptions& options,
-                      const Guests& guests);
+                      const Visitors& visitors);
 
 }  // namespace mapbed

@@ -305,8 +305,7 @@ Hit RayCaster::cast(const Ray& ray) const {
             ray.through_glass ? kMasks[0] : ~0u,
             0,
             0};
-  rh.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rh.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rh.hit.geomID = rh.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(state_->still, &query.context, &rh);
   if (!state_->slots.empty()) rtcIntersect1(state_->moving, &query.context, &rh);
   return state_->exact(ray, rh.ray.tfar, rh.hit.geomID, rh.hit.primID, rh.hit.instID[0]);
@@ -334,8 +333,7 @@ void RayCaster::cast(std::span<const Ray> rays, std::span<Hit> hits) const {
       rh.ray.mask[i] = ray.through_glass ? kMasks[0] : ~0u;
       rh.ray.id[i] = static_cast<unsigned>(i);
       rh.ray.flags[i] = 0;
-      rh.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-      rh.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+      rh.hit.geomID[i] = rh.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
     }
     rtcIntersect16(valid.data(), state_->still, &query.context, &rh);
     if (!state_->slots.empty()) {

@@ -38,7 +38,8 @@ std::vector<PlacedPart> still_parts(const World& world) {
 struct Scene::State {
   std::vector<Material> materials;
   std::vector<Entity> entities;
-  std::vector<int> first_moving_part;  // of each entity, as the ray caster counts; kStill
+  std::vector<int> first_moving_part;          // of each entity, as the ray caster counts; kStill
+  std::vector<std::vector<Pose3>> part_poses;  // world_from_part of each entity that moves
   std::vector<bool> visible;
   RayCaster caster;
 
@@ -49,25 +50,25 @@ struct Scene::State {
     entities.push_back(entity);
     visible.push_back(true);
     int first = kStill;
+    std::vector<Pose3> poses;
     for (std::size_t part = 0; moves && part < entity.parts.size(); ++part) {
-      const int slot = caster.add(placed(entity, id, part, materials));
+      const PlacedPart part_there = placed(entity, id, part, materials);
+      const int slot = caster.add(part_there);
       if (part == 0) first = slot;
+      poses.push_back(part_there.world_from_part);
     }
     first_moving_part.push_back(first);
+    part_poses.push_back(std::move(poses));
   }
 
-  void place(int id, std::size_t part) {
+  std::size_t moving(int id) const {
     const auto e = static_cast<std::size_t>(id);
-    CHECK(e < entities.size() && first_moving_part[e] != kStill);
-    const Entity& entity = entities[e];
-    caster.place(first_moving_part[e] + static_cast<int>(part),
-                 entity.world_from_entity * entity.parts[part].entity_from_part, visible[e]);
+    CHECK(id >= 0 && e < entities.size() && first_moving_part[e] != kStill);
+    return e;
   }
 
-  void place_all(int id) {
-    for (std::size_t part = 0; part < entities[static_cast<std::size_t>(id)].parts.size(); ++part) {
-      place(id, part);
-    }
+  void place(std::size_t e, std::size_t part) {
+    caster.place(first_moving_part[e] + static_cast<int>(part), part_poses[e][part], visible[e]);
   }
 };
 
@@ -87,24 +88,25 @@ int Scene::add(const Entity& entity) {
   return static_cast<int>(state_->entities.size()) - 1;
 }
 
-void Scene::move(int entity, const Pose3& world_from_entity) {
-  CHECK(entity >= 0 && static_cast<std::size_t>(entity) < state_->entities.size());
-  state_->entities[static_cast<std::size_t>(entity)].world_from_entity = world_from_entity;
-  state_->place_all(entity);
+void Scene::move(int entity, int part, const Pose3& world_from_part) {
+  const std::size_t e = state_->moving(entity);
+  const auto p = static_cast<std::size_t>(part);
+  CHECK(part >= 0 && p < state_->part_poses[e].size());
+  state_->part_poses[e][p] = world_from_part;
+  state_->place(e, p);
 }
 
-void Scene::move_part(int entity, int part, const Pose3& entity_from_part) {
-  CHECK(entity >= 0 && static_cast<std::size_t>(entity) < state_->entities.size());
-  Entity& e = state_->entities[static_cast<std::size_t>(entity)];
-  CHECK(part >= 0 && static_cast<std::size_t>(part) < e.parts.size());
-  e.parts[static_cast<std::size_t>(part)].entity_from_part = entity_from_part;
-  state_->place(entity, static_cast<std::size_t>(part));
+void Scene::move(int entity, const Pose3& world_from_entity) {
+  const std::vector<Part>& parts = this->entity(entity).parts;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    move(entity, static_cast<int>(part), world_from_entity * parts[part].entity_from_part);
+  }
 }
 
 void Scene::show(int entity, bool visible) {
-  CHECK(entity >= 0 && static_cast<std::size_t>(entity) < state_->entities.size());
-  state_->visible[static_cast<std::size_t>(entity)] = visible;
-  state_->place_all(entity);
+  const std::size_t e = state_->moving(entity);
+  state_->visible[e] = visible;
+  for (std::size_t part = 0; part < state_->part_poses[e].size(); ++part) state_->place(e, part);
 }
 
 void Scene::update() {

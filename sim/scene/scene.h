@@ -26,10 +26,10 @@ class Scene {
   int add(const Entity& entity);
 
   // Only for moving things. Costs nothing until the next ray is cast after update().
-  void move(int entity, const Pose3& world_from_entity);
-  void move_part(int entity, int part, const Pose3& entity_from_part);
-  void show(int entity, bool visible);  // hidden things are not hit
-  void update();                        // makes the moves above count for the rays
+  void move(int entity, int part, const Pose3& world_from_part);
+  void move(int entity, const Pose3& world_from_entity);  // all parts, as they stood when added
+  void show(int entity, bool visible);                    // hidden things are not hit
+  void update();  // makes the moves above count for the rays
 
   Hit cast(const Ray& ray) const;
   // Many at once, faster where neighbours run alike (a laser's fan). hits.size() == rays.size().
@@ -39,7 +39,7 @@ class Scene {
             bool through_glass = false) const;
 
   std::size_t entity_count() const;
-  const Entity& entity(int id) const;  // as it stands now
+  const Entity& entity(int id) const;  // as it stood when added
   const std::vector<Material>& materials() const;
 
  private:

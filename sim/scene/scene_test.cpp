@@ -216,7 +216,7 @@ TEST(Scene, MovesAPartOnItsOwn) {
   person.parts.push_back({.name = "right leg", .geometry = Cylinder{0.07, 0.8}});
   person.parts[1].entity_from_part = upright({0.0, -0.3, 0});
   const int id = scene.add(person);
-  scene.move_part(id, 1, upright({-0.5, 0, 0}));
+  scene.move(id, 1, upright({1.5, 0, 0}));
   scene.update();
   const Hit hit = scene.cast({{0, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(hit.part, 1);

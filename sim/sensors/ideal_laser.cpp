@@ -35,23 +35,32 @@ std::vector<SubRay> sub_rays_of(const LaserModel& model) {
   return result;
 }
 
+// A beam in the world frame.
 struct Axis {
-  double x, y;  // [m] of the laser
-  double c, s;  // cosine and sine of the bearing in the world
+  Eigen::Vector3d origin;  // [m]
+  Eigen::Vector3d along;   // unit
+  Eigen::Vector3d left;    // unit, square to it in the laser's plane
 };
 
 Axis axis_of(const MountedLaser& laser, const AimedBeam& beam) {
-  const Pose2 world_from_laser = beam.world_from_robot * laser.robot_from_laser;
+  const Mount& mount = laser.robot_from_laser;
+  const Pose2 world_from_laser = beam.world_from_robot * mount.planar;
+  const Eigen::Vector3d origin(world_from_laser.x, world_from_laser.y, mount.z);
+  const bool is_tilted = mount.pitch != 0.0 || mount.roll != 0.0;
+  const double heading = is_tilted ? 0.0 : world_from_laser.theta;
   const double bearing =
-      world_from_laser.theta + laser.model.first_bearing + beam.index * laser.model.bearing_step;
-  return {world_from_laser.x, world_from_laser.y, std::cos(bearing), std::sin(bearing)};
+      heading + laser.model.first_bearing + beam.index * laser.model.bearing_step;
+  const double c = std::cos(bearing);
+  const double s = std::sin(bearing);
+  if (!is_tilted) return {origin, {c, s, 0.0}, {-s, c, 0.0}};
+  const Eigen::Quaterniond turn = rotation_of(world_from_laser.theta, mount.pitch, mount.roll);
+  return {origin, turn * Eigen::Vector3d(c, s, 0.0), turn * Eigen::Vector3d(-s, c, 0.0)};
 }
 
 Ray ray_of(const MountedLaser& laser, const Axis& axis, const SubRay& sub_ray) {
   Ray ray;
-  ray.origin = {axis.x - sub_ray.beside * axis.s, axis.y + sub_ray.beside * axis.c, laser.height};
-  ray.direction = {axis.c * sub_ray.c - axis.s * sub_ray.s, axis.s * sub_ray.c + axis.c * sub_ray.s,
-                   0.0};
+  ray.origin = axis.origin + sub_ray.beside * axis.left;
+  ray.direction = sub_ray.c * axis.along + sub_ray.s * axis.left;
   ray.max_range = kBeyond * laser.model.max_range;
   return ray;
 }

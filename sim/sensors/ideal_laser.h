@@ -6,17 +6,9 @@
 #include "robots/robot.h"
 #include "sim/scene/scene.h"
 #include "sim/sensors/ideal_scan.h"
+#include "sim/truth/beam_truth.h"
 
 namespace mapbed {
-
-// What the axis of a beam truly meets.
-struct BeamTruth {
-  float range = 0.0F;          // [m] infinite: nothing
-  std::int32_t entity = -1;    // -1: nothing
-  std::int32_t part = -1;      // index into the entity's parts
-  std::int32_t material = -1;  // index into the world's materials
-  bool is_moving = false;      // it moves at this moment; waiting people and parked cars do not
-};
 
 // One beam to send: which one, and where the robot is at its moment.
 struct AimedBeam {
@@ -29,7 +21,8 @@ struct BeamEchoes {
   std::vector<Echo> echoes;
 };
 
-// Sends the beams into the scene as it stands; the result has one element a beam. The spot of a
+// Sends the beams into the scene as it stands; the result has one element a beam. Beams lie in the
+// laser's own plane, which its mount may tilt. The spot of a
 // beam is as wide as its aperture and divergence make it, and evenly lit: sub-rays across it, with
 // shares as the chords of a disc. Where the axis and both outer sub-rays meet one opaque surface,
 // the axis stands for all. Behind a pane follows the first opaque surface on the same line.

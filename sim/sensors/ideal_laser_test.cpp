@@ -13,7 +13,7 @@ MountedLaser single_beam() {
   laser.model.beams = 1;
   laser.model.first_bearing = 0.0;
   laser.model.max_range = 50.0;
-  laser.height = 0.4;
+  laser.robot_from_laser.z = 0.4;
   return laser;
 }
 
@@ -39,8 +39,36 @@ TEST(IdealLaser, AWallIsOneEchoWithRangeIncidenceAndMaterial) {
 
 TEST(IdealLaser, TheMountMovesTheBeam) {
   MountedLaser laser = single_beam();
-  laser.robot_from_laser = {0.5, 0.0, kPi / 2.0};
+  laser.robot_from_laser.planar = {0.5, 0.0, kPi / 2.0};
   EXPECT_NEAR(sent(small_room(6.0, 4.0), laser, {1.0, 2.0, 0.0}).truth.range, 2.0, 1e-5);
+}
+
+// Looking down by 10 degrees from 0.4 m, the axis meets the floor at 0.4 m / sin(10 deg), the beam
+// at bearing b where its slope sin(10 deg) cos(b) takes it down as far.
+TEST(IdealLaser, ATiltedOneSeesTheFloorAheadOfIt) {
+  World world = small_room(20.0, 20.0);
+  add_floor(world);
+  MountedLaser laser = single_beam();
+  laser.robot_from_laser.pitch = radians(10.0);
+  for (const double bearing : {0.0, radians(40.0), radians(-40.0)}) {
+    laser.model.first_bearing = bearing;
+    const BeamEchoes beam = sent(world, laser, {5.0, 10.0, radians(20.0)});
+    EXPECT_NEAR(beam.truth.range, 0.4 / (std::sin(radians(10.0)) * std::cos(bearing)), 1e-5);
+    EXPECT_EQ(beam.truth.entity, 4);  // the floor
+    EXPECT_NEAR(beam.echoes[0].cos_incidence, std::sin(radians(10.0)) * std::cos(bearing), 1e-5);
+  }
+  // Straight to the left it runs level, to the right too: walls, not the floor.
+  laser.model.first_bearing = kPi / 2.0;
+  EXPECT_NEAR(sent(world, laser, {5.0, 10.0, 0.0}).truth.range, 10.0, 1e-5);
+}
+
+TEST(IdealLaser, ALaserThatIsRolledSeesTheFloorOnOneSide) {
+  World world = small_room(20.0, 20.0);
+  add_floor(world);
+  MountedLaser laser = single_beam();
+  laser.robot_from_laser.roll = radians(30.0);
+  laser.model.first_bearing = -kPi / 2.0;  // to the right, which a positive roll lowers
+  EXPECT_NEAR(sent(world, laser, {10.0, 10.0, 0.0}).truth.range, 0.8, 1e-5);
 }
 
 TEST(IdealLaser, ASpotOnAnEdgeIsDividedByTheChordsOfADisc) {

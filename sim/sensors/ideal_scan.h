@@ -4,8 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/pose2.h"
-
 namespace mapbed {
 
 // One surface that a part of a beam may come back from. The parts of a beam are its sub-rays; where
@@ -23,22 +21,13 @@ struct Echo {
 struct IdealScan {
   double time = 0.0;                      // [s] when the middle beam was sent
   std::uint64_t sweep = 0;                // counts this laser's sweeps
-  int laser = 0;                          // index into the robot's lasers
+  int laser = 0;                          // as LaserScan counts
   std::vector<Echo> echoes;               // beam after beam
   std::vector<std::uint32_t> first_echo;  // of each beam; one more at the end
   std::span<const Echo> beam(std::size_t k) const {
     return {echoes.data() + first_echo[k], first_echo[k + 1] - first_echo[k]};
   }
   std::size_t beam_count() const { return first_echo.empty() ? 0 : first_echo.size() - 1; }
-};
-
-// What odometry is made from.
-struct IdealOdometry {
-  double time = 0.0;              // [s]
-  Pose2 truth;                    // world_from_robot
-  Pose2 wheels;                   // by the wheels' turns alone, from the identity
-  double forward_velocity = 0.0;  // [m/s] by the wheels
-  double turn_velocity = 0.0;     // [rad/s] by the wheels
 };
 
 }  // namespace mapbed

@@ -17,6 +17,15 @@ inline Entity block(const std::string& name, const Eigen::Vector2d& center,
   return entity;
 }
 
+// A floor under the room, 10 cm thick.
+inline void add_floor(World& world) {
+  Entity floor;
+  floor.name = "floor";
+  floor.kind = EntityKind::floor;
+  floor.parts = {{"floor", Box{{100.0, 100.0, 0.1}}, upright({}, -0.05), 0}};
+  world.entities.push_back(floor);
+}
+
 // A room between (0, 0) and (length, width) with walls 20 cm thick around it.
 inline World small_room(double length, double width) {
   World world;

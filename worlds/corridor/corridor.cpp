@@ -8,9 +8,9 @@
 #include "core/input_error.h"
 #include "core/random.h"
 #include "worlds/build/building.h"
-#include "worlds/build/free_ways.h"
 #include "worlds/build/furnish.h"
 #include "worlds/build/furniture.h"
+#include "worlds/build/furniture_placer.h"
 
 namespace mapbed {
 namespace {
@@ -116,26 +116,26 @@ void add_crowd(World& world, const CorridorPlan& plan, const CorridorOptions& o)
 }
 
 // Things along the corridor's walls.
-void add_clutter(Furnisher& furnisher, const World& world, const CorridorPlan& plan, double clutter,
-                 Rng& rng) {
+void add_clutter(FurniturePlacer& placer, const World& world, const CorridorPlan& plan,
+                 double clutter, Rng& rng) {
   const Eigen::AlignedBox2d corridor(Eigen::Vector2d(0.4, 0.0),
                                      Eigen::Vector2d(plan.length - 0.4, plan.width));
   bool bin_stands = false;
   for (int i = 0; i < 40 && !bin_stands; ++i) {
-    bin_stands = furnisher.place(bin(world, pose_at_wall(corridor, 0.24, rng)));
+    bin_stands = placer.place(bin(world, pose_at_wall(corridor, 0.24, rng)));
   }
   const int pieces = static_cast<int>(std::lround(clutter * plan.length / 5.0));
   for (int i = 0; i < pieces; ++i) {
     const Pose2 pose = pose_at_wall(corridor, 0.2, rng);
     switch (rng.index(3)) {
       case 0:
-        furnisher.place(cabinet(world, pose, rng.uniform(0.6, 1.2), 0.36, 1.2));
+        placer.place(cabinet(world, pose, rng.uniform(0.6, 1.2), 0.36, 1.2));
         break;
       case 1:
-        furnisher.place(chair(world, pose * Pose2{0.1, 0.0, 0.0}));
+        placer.place(chair(world, pose * Pose2{0.1, 0.0, 0.0}));
         break;
       default:
-        furnisher.place(bench(world, pose * Pose2{0.06, 0.0, 0.0}, 1.4));
+        placer.place(bench(world, pose * Pose2{0.06, 0.0, 0.0}, 1.4));
         break;
     }
   }
@@ -166,12 +166,12 @@ World build_corridor(const CorridorOptions& options) {
   world.paths = {{"one_way", {west, east}, 0.35}, {"there_and_back", {west, east, west}, 0.35}};
   add_crowd(world, plan, options);
 
-  Furnisher furnisher(world);
-  add_clutter(furnisher, world, plan, options.clutter, rng);
+  FurniturePlacer placer(world);
+  add_clutter(placer, world, plan, options.clutter, rng);
   for (const Eigen::AlignedBox2d& room : rooms) {
-    furnish_office_room(furnisher, world, room, false, 0.7 * options.clutter, rng);
+    furnish_office_room(placer, world, room, false, 0.7 * options.clutter, rng);
   }
-  check_ways(world);
+  check_clearance(world);
   return world;
 }
 

@@ -6,7 +6,7 @@
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
 #include "worlds/build/building.h"
-#include "worlds/build/free_ways.h"
+#include "worlds/build/clearance.h"
 #include "worlds/file/plan_import.h"
 #include "worlds/file/shape_config.h"
 #include "worlds/worlds.h"
@@ -195,7 +195,7 @@ class WorldReader {
         throw InputError(entry.place(), "the path begins with the same point twice",
                          "let its first two points differ: they say where the robot looks");
       }
-      check_at(entry.place(), [&] { check_path(world_, path); });
+      check_at(entry.place(), [&] { check_clearance(world_, path); });
       std::erase_if(world_.paths, [&](const NamedPath& old) { return old.name == name; });
       world_.paths.push_back(std::move(path));
     }
@@ -216,7 +216,7 @@ class WorldReader {
         if (const ConfigNode* weight = item.find("weight")) {
           route.weight = weight->number(Unit::none, kPositive);
         }
-        check_at(item.place(), [&] { check_route(world_, route); });
+        check_at(item.place(), [&] { check_clearance(world_, route); });
         crowd.routes.push_back(std::move(route));
       }
     }

@@ -195,4 +195,15 @@ double distance_between(const Footprint& a, const Footprint& b) {
   return nearest;
 }
 
+Eigen::AlignedBox2d bounds_of(const Footprint& footprint) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& corner : footprint.outline) box.extend(corner);
+  if (footprint.outline.empty()) {
+    const Eigen::Vector2d r = Eigen::Vector2d::Constant(footprint.radius);
+    box.extend(Eigen::Vector2d(footprint.center - r));
+    box.extend(Eigen::Vector2d(footprint.center + r));
+  }
+  return box;
+}
+
 }  // namespace mapbed

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "worlds/world.h"
 
@@ -34,5 +35,7 @@ double distance_to(const Footprint& footprint, const Eigen::Vector2d& point);
 double distance_to(const Footprint& footprint, const Eigen::Vector2d& from,
                    const Eigen::Vector2d& to);
 double distance_between(const Footprint& a, const Footprint& b);
+
+Eigen::AlignedBox2d bounds_of(const Footprint& footprint);
 
 }  // namespace mapbed

@@ -8,9 +8,9 @@
 #include "core/input_error.h"
 #include "core/random.h"
 #include "worlds/build/building.h"
-#include "worlds/build/free_ways.h"
 #include "worlds/build/furnish.h"
 #include "worlds/build/furniture.h"
+#include "worlds/build/furniture_placer.h"
 
 namespace mapbed {
 namespace {
@@ -153,7 +153,7 @@ void add_paths(World& world, const LoopPlan& plan, const LoopCorridorOptions& op
 
 // A few things against the walls of the straight corridors.
 void add_furniture(World& world, const LoopPlan& plan, double features, Rng& rng) {
-  Furnisher furnisher(world);
+  FurniturePlacer placer(world);
   std::vector<Eigen::AlignedBox2d> strips;
   std::vector<std::vector<WayPoint>> rounds = {large_round(plan)};
   if (plan.nested()) rounds.push_back(small_round(plan));
@@ -171,13 +171,13 @@ void add_furniture(World& world, const LoopPlan& plan, double features, Rng& rng
       const Pose2 pose = pose_at_wall(strip, 0.2, rng);
       switch (rng.index(3)) {
         case 0:
-          furnisher.place(cabinet(world, pose, rng.uniform(0.6, 1.4), 0.36, 1.8));
+          placer.place(cabinet(world, pose, rng.uniform(0.6, 1.4), 0.36, 1.8));
           break;
         case 1:
-          furnisher.place(bin(world, pose * Pose2{0.02, 0.0, 0.0}));
+          placer.place(bin(world, pose * Pose2{0.02, 0.0, 0.0}));
           break;
         default:
-          furnisher.place(bench(world, pose * Pose2{0.06, 0.0, 0.0}, 1.5));
+          placer.place(bench(world, pose * Pose2{0.06, 0.0, 0.0}, 1.5));
           break;
       }
     }
@@ -208,7 +208,7 @@ World build_loop_corridor(const LoopCorridorOptions& options) {
   for (const WayPoint& point : large_round(plan)) route.points.push_back(point.position);
   world.crowd.routes = {route};
   if (options.features > 0.0) add_furniture(world, plan, options.features, rng);
-  check_ways(world);
+  check_clearance(world);
   return world;
 }
 

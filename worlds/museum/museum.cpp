@@ -8,8 +8,8 @@
 #include "core/geometry/angle.h"
 #include "core/random.h"
 #include "worlds/build/building.h"
-#include "worlds/build/free_ways.h"
 #include "worlds/build/furniture.h"
+#include "worlds/build/furniture_placer.h"
 
 namespace mapbed {
 namespace {
@@ -109,7 +109,7 @@ void add_routes(World& world, const Hall& hall, Rng& rng) {
 // Puts exhibits into one field between the lanes.
 class Curator {
  public:
-  Curator(World& world, Rng& rng) : world_(world), furnisher_(world), rng_(rng) {}
+  Curator(World& world, Rng& rng) : world_(world), placer_(world), rng_(rng) {}
 
   void fill(const Eigen::AlignedBox2d& field) {
     const Eigen::Vector2d c = field.center();
@@ -132,8 +132,8 @@ class Curator {
         free_wall(middle, 0.5 * field.sizes().minCoeff());
         break;
       default:
-        furnisher_.place(bench(world_, middle * Pose2{-0.6, 0.0, 0.0}));
-        furnisher_.place(showcase(world_, middle * Pose2{1.0, 0.0, 0.0}, 1.6, 0.9));
+        placer_.place(bench(world_, middle * Pose2{-0.6, 0.0, 0.0}));
+        placer_.place(showcase(world_, middle * Pose2{1.0, 0.0, 0.0}, 1.6, 0.9));
         break;
     }
   }
@@ -142,14 +142,14 @@ class Curator {
   void showcases(const Pose2& middle) {
     const double apart = rng_.uniform(0.5, 0.8);
     for (const double x : {-apart, apart}) {
-      furnisher_.place(showcase(world_, middle * Pose2{x, 0.0, 0.0}, rng_.uniform(1.2, 2.2), 0.8));
+      placer_.place(showcase(world_, middle * Pose2{x, 0.0, 0.0}, rng_.uniform(1.2, 2.2), 0.8));
     }
   }
   void statue(const Pose2& middle) {
-    furnisher_.place(pedestal(world_, middle, rng_.uniform(0.6, 1.0)));
+    placer_.place(pedestal(world_, middle, rng_.uniform(0.6, 1.0)));
     for (int i = 0; i < 6; ++i) {
       const double angle = kPi / 3 * i;
-      furnisher_.place(
+      placer_.place(
           rope_post(world_, middle * Pose2{1.1 * std::cos(angle), 1.1 * std::sin(angle), 0.0}));
     }
   }
@@ -158,7 +158,7 @@ class Curator {
     const double apart = rng_.uniform(0.2, 0.28) * field.sizes().x();
     for (const double x : {-apart, apart}) {
       const Eigen::Vector2d at = field.center() + Eigen::Vector2d(x, 0.0);
-      furnisher_.place(column(world_, {at.x(), at.y(), 0.0}, radius, "stone"));
+      placer_.place(column(world_, {at.x(), at.y(), 0.0}, radius, "stone"));
     }
   }
   // In pairs 0.25 to 0.45 m apart: to a laser, people who stand still.
@@ -171,7 +171,7 @@ class Curator {
       const double apart = rng_.uniform(0.25, 0.45);
       const double radius = rng_.uniform(0.06, 0.1);
       for (const double x : {-apart / 2, apart / 2}) {
-        furnisher_.place(column(world_, pair * Pose2{x, 0.0, 0.0}, radius, "metal"));
+        placer_.place(column(world_, pair * Pose2{x, 0.0, 0.0}, radius, "metal"));
       }
     }
   }
@@ -183,11 +183,11 @@ class Curator {
                            .geometry = Box{{length, 0.25, 2.4}},
                            .entity_from_part = upright({}, 1.2),
                            .material = material_index(world_, "plaster")}}};
-    furnisher_.place(std::move(wall));
+    placer_.place(std::move(wall));
   }
 
   World& world_;
-  Furnisher furnisher_;
+  FurniturePlacer placer_;
   Rng& rng_;
 };
 
@@ -250,7 +250,7 @@ World build_museum(const MuseumOptions& options) {
     }
   }
   add_standing_places(world);
-  check_ways(world);
+  check_clearance(world);
   return world;
 }
 

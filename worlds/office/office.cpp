@@ -8,9 +8,9 @@
 #include "core/input_error.h"
 #include "core/random.h"
 #include "worlds/build/building.h"
-#include "worlds/build/free_ways.h"
 #include "worlds/build/furnish.h"
 #include "worlds/build/furniture.h"
+#include "worlds/build/furniture_placer.h"
 
 namespace mapbed {
 namespace {
@@ -272,17 +272,17 @@ World build_office(const OfficeOptions& options) {
   add_paths(world, plan, rooms);
   add_crowd(world, plan, rooms, options);
 
-  Furnisher furnisher(world);
+  FurniturePlacer placer(world);
   for (const OfficeRoom& room : rooms) {
     if (room.behind_glass) {  // nobody puts cabinets before the glass
       const double line = plan.wall_line(room.corridor_side, room.inner);
-      furnisher.keep_free(
+      placer.keep_clear(
           {at(room.corridor_side, room.door, line), at(room.corridor_side, room.last, line), 0.9});
     }
-    furnish_office_room(furnisher, world, {room.low, room.high}, room.behind_glass,
-                        options.furniture, rng);
+    furnish_office_room(placer, world, {room.low, room.high}, room.behind_glass, options.furniture,
+                        rng);
   }
-  check_ways(world);
+  check_clearance(world);
   return world;
 }
 

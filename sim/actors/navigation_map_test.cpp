@@ -1,4 +1,4 @@
-#include "sim/actors/floor_plan.h"
+#include "sim/actors/navigation_map.h"
 
 #include "sim/testing/small_world.h"
 
@@ -14,30 +14,30 @@ World divided_room() {
   return world;
 }
 
-TEST(FloorPlan, KnowsTheDistanceToTheNearestWall) {
-  const FloorPlan plan(divided_room(), 0.02, 1.9);
+TEST(NavigationMap, KnowsTheDistanceToTheNearestWall) {
+  const NavigationMap plan(divided_room(), 0.02, 1.9);
   EXPECT_NEAR(plan.clearance({2.0, 0.5}), 0.5, 1e-9);
   EXPECT_NEAR(plan.clearance({4.5, 2.0}), 0.4, 1e-9);
-  EXPECT_EQ(plan.clearance({2.5, 3.0}), FloorPlan::kReach);
+  EXPECT_EQ(plan.clearance({2.5, 3.0}), NavigationMap::kReach);
 }
 
-TEST(FloorPlan, TheInsideOfSolidsIsNotFree) {
+TEST(NavigationMap, TheInsideOfSolidsIsNotFree) {
   World world = small_room(10.0, 6.0);
   world.entities.push_back(block("big block", {5.0, 3.0}, {3.0, 3.0}));
-  const FloorPlan plan(world, 0.02, 1.9);
+  const NavigationMap plan(world, 0.02, 1.9);
   EXPECT_EQ(plan.clearance({5.0, 3.0}), 0.0);
   EXPECT_FALSE(plan.is_straight_way({5.0, 3.0}, {5.2, 3.1}, 0.3));
 }
 
-TEST(FloorPlan, AStraightWayNeedsRoomForTheDisc) {
-  const FloorPlan plan(divided_room(), 0.02, 1.9);
+TEST(NavigationMap, AStraightWayNeedsRoomForTheDisc) {
+  const NavigationMap plan(divided_room(), 0.02, 1.9);
   EXPECT_TRUE(plan.is_straight_way({1.0, 5.0}, {9.0, 5.0}, 0.9));
   EXPECT_FALSE(plan.is_straight_way({1.0, 5.1}, {9.0, 5.1}, 0.95));
   EXPECT_FALSE(plan.is_straight_way({1.0, 2.0}, {9.0, 2.0}, 0.3));
 }
 
-TEST(FloorPlan, TheWayRoundAWallIsFreeAndShort) {
-  const FloorPlan plan(divided_room(), 0.02, 1.9);
+TEST(NavigationMap, TheWayRoundAWallIsFreeAndShort) {
+  const NavigationMap plan(divided_room(), 0.02, 1.9);
   const auto way = plan.way({1.0, 1.0}, {9.0, 1.0}, 0.3);
   ASSERT_TRUE(way.has_value());
   EXPECT_EQ(way->front(), Vector2d(1.0, 1.0));
@@ -51,16 +51,16 @@ TEST(FloorPlan, TheWayRoundAWallIsFreeAndShort) {
   EXPECT_LT(length, 12.0);
 }
 
-TEST(FloorPlan, ThereIsNoWayOutOfAClosedRoom) {
-  const FloorPlan plan(small_room(4.0, 4.0), 0.02, 1.9);
+TEST(NavigationMap, ThereIsNoWayOutOfAClosedRoom) {
+  const NavigationMap plan(small_room(4.0, 4.0), 0.02, 1.9);
   EXPECT_FALSE(plan.way({2.0, 2.0}, {4.7, 2.0}, 0.3).has_value());
 }
 
-TEST(FloorPlan, DoorsAndFloorsAreNoObstacles) {
+TEST(NavigationMap, DoorsAndFloorsAreNoObstacles) {
   World world = small_room(4.0, 4.0);
   world.entities.push_back(block("door", {2.0, 2.0}, {0.9, 0.04}));
   world.entities.back().kind = EntityKind::door;
-  EXPECT_EQ(FloorPlan(world, 0.02, 1.9).clearance({2.0, 2.1}), FloorPlan::kReach);
+  EXPECT_EQ(NavigationMap(world, 0.02, 1.9).clearance({2.0, 2.1}), NavigationMap::kReach);
 }
 
 }  // namespace

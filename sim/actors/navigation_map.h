@@ -22,12 +22,12 @@ Eigen::Vector2d nearest_point(const Wall& wall, const Eigen::Vector2d& point);
 
 // Where one can walk or drive: what stands on the floor, door leaves excepted, seen from above.
 // A grid finds ways; distances are exact.
-class FloorPlan {
+class NavigationMap {
  public:
   // Of everything that reaches into the band between the two heights [m]. Throws InputError where
   // the world is too large for a grid.
-  FloorPlan(const World& world, double low, double high);
-  explicit FloorPlan(std::vector<Wall> walls);
+  NavigationMap(const World& world, double low, double high);
+  explicit NavigationMap(std::vector<Wall> walls);
 
   // Every wall within kReach of the point.
   std::span<const Wall> walls_near(const Eigen::Vector2d& point) const;

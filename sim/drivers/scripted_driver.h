@@ -36,7 +36,7 @@ class ScriptedDriver : public Driver {
   DriveCommand command(double time) override;
   bool is_done() const override { return is_done_; }
 
-  double longest_time() const;  // [s] after which something must be wrong
+  double longest_time() const override;
 
  private:
   // The point to steer for, on the path `look_ahead` further than the robot has come.
@@ -61,8 +61,5 @@ class ScriptedDriver : public Driver {
   DriveCommand last_;
   bool is_done_ = false;
 };
-
-// Where a drive along the path starts: on its first point, looking to the second.
-Pose2 start_of(const NamedPath& path);
 
 }  // namespace mapbed

@@ -1,4 +1,4 @@
-#include "sim/actors/floor_plan.h"
+#include "sim/actors/navigation_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,14 +59,14 @@ Eigen::Vector2d nearest_point(const Wall& wall, const Eigen::Vector2d& point) {
   return length > 0.0 ? Eigen::Vector2d(on_axis + wall.radius / length * out) : on_axis;
 }
 
-FloorPlan::FloorPlan(std::vector<Wall> walls) : walls_(std::move(walls)) {
+NavigationMap::NavigationMap(std::vector<Wall> walls) : walls_(std::move(walls)) {
   lay_out_grid();
   sort_walls_into_blocks();
   measure_clearance();
 }
 
-FloorPlan::FloorPlan(const World& world, double low, double high)
-    : FloorPlan(walls_of(world, low, high)) {
+NavigationMap::NavigationMap(const World& world, double low, double high)
+    : NavigationMap(walls_of(world, low, high)) {
   // Walls know their borders only; what is inside is not free either.
   for (const Footprint& f : footprints(world, low, high)) {
     const EntityKind kind = world.entities[static_cast<std::size_t>(f.entity)].kind;
@@ -84,7 +84,7 @@ FloorPlan::FloorPlan(const World& world, double low, double high)
   }
 }
 
-void FloorPlan::lay_out_grid() {
+void NavigationMap::lay_out_grid() {
   Eigen::AlignedBox2d box(Eigen::Vector2d(-kMargin, -kMargin), Eigen::Vector2d(kMargin, kMargin));
   if (!walls_.empty()) box.setEmpty();
   for (const Wall& wall : walls_) {
@@ -106,7 +106,7 @@ void FloorPlan::lay_out_grid() {
 }
 
 // A block's walls: those within reach of any of its points.
-void FloorPlan::sort_walls_into_blocks() {
+void NavigationMap::sort_walls_into_blocks() {
   const double block_reach = kReach + 0.7072 * kBlockSize;
   std::vector<std::vector<std::uint32_t>> near(static_cast<std::size_t>(block_columns_) *
                                                static_cast<std::size_t>(block_rows_));
@@ -134,7 +134,7 @@ void FloorPlan::sort_walls_into_blocks() {
   }
 }
 
-void FloorPlan::measure_clearance() {
+void NavigationMap::measure_clearance() {
   const int count = columns_ * rows_;
   clearance_.assign(static_cast<std::size_t>(count), static_cast<float>(kReach));
   for (int cell = 0; cell < count; ++cell) {
@@ -146,17 +146,17 @@ void FloorPlan::measure_clearance() {
   }
 }
 
-int FloorPlan::cell_of(const Eigen::Vector2d& point) const {
+int NavigationMap::cell_of(const Eigen::Vector2d& point) const {
   const Eigen::Vector2d p = (point - corner_) / kCell;
   if (!(p.x() >= 0.0 && p.y() >= 0.0 && p.x() < columns_ && p.y() < rows_)) return -1;
   return static_cast<int>(p.y()) * columns_ + static_cast<int>(p.x());
 }
 
-Eigen::Vector2d FloorPlan::center_of(int cell) const {
+Eigen::Vector2d NavigationMap::center_of(int cell) const {
   return corner_ + kCell * Eigen::Vector2d(cell % columns_ + 0.5, cell / columns_ + 0.5);
 }
 
-std::span<const Wall> FloorPlan::walls_near(const Eigen::Vector2d& point) const {
+std::span<const Wall> NavigationMap::walls_near(const Eigen::Vector2d& point) const {
   const int cell = cell_of(point);
   if (cell < 0) return {};
   const std::size_t block = static_cast<std::size_t>(cell / columns_ / kBlock * block_columns_ +
@@ -164,7 +164,7 @@ std::span<const Wall> FloorPlan::walls_near(const Eigen::Vector2d& point) const 
   return {near_walls_.data() + first_near_[block], first_near_[block + 1] - first_near_[block]};
 }
 
-double FloorPlan::clearance(const Eigen::Vector2d& point) const {
+double NavigationMap::clearance(const Eigen::Vector2d& point) const {
   const int cell = cell_of(point);
   if (cell < 0) return kReach;
   const double coarse = clearance_[static_cast<std::size_t>(cell)];
@@ -174,8 +174,8 @@ double FloorPlan::clearance(const Eigen::Vector2d& point) const {
   return exact;
 }
 
-bool FloorPlan::is_straight_way(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
-                                double radius) const {
+bool NavigationMap::is_straight_way(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                    double radius) const {
   const double length = (to - from).norm();
   for (double s = 0.0;;) {
     const double room = clearance(from + (length > 0.0 ? s / length : 0.0) * (to - from)) - radius;
@@ -186,7 +186,7 @@ bool FloorPlan::is_straight_way(const Eigen::Vector2d& from, const Eigen::Vector
 }
 
 // A* on the grid's cells.
-std::vector<int> FloorPlan::cells_to(int start, int goal, double radius) const {
+std::vector<int> NavigationMap::cells_to(int start, int goal, double radius) const {
   struct Entry {
     float total;
     int cell;
@@ -235,9 +235,9 @@ std::vector<int> FloorPlan::cells_to(int start, int goal, double radius) const {
   return cells;
 }
 
-std::optional<std::vector<Eigen::Vector2d>> FloorPlan::way(const Eigen::Vector2d& from,
-                                                           const Eigen::Vector2d& to,
-                                                           double radius) const {
+std::optional<std::vector<Eigen::Vector2d>> NavigationMap::way(const Eigen::Vector2d& from,
+                                                               const Eigen::Vector2d& to,
+                                                               double radius) const {
   if (is_straight_way(from, to, radius)) return std::vector<Eigen::Vector2d>{from, to};
   const int start = cell_of(from);
   const int goal = cell_of(to);

@@ -1,4 +1,4 @@
-#include "sim/scripted_driver.h"
+#include "sim/drivers/scripted_driver.h"
 
 #include <algorithm>
 #include <array>
@@ -26,13 +26,6 @@ double distance_to_way(const Vector2d& point, const Vector2d& from, const Vector
 }
 
 }  // namespace
-
-Pose2 start_of(const NamedPath& path) {
-  CHECK(path.points.size() >= 2);
-  const Vector2d& from = path.points[0].position;
-  const Vector2d way = path.points[1].position - from;
-  return {from.x(), from.y(), std::atan2(way.y(), way.x())};
-}
 
 ScriptedDriver::ScriptedDriver(const Simulation& simulation, const NamedPath& path,
                                const ScriptedDriverOptions& options)
@@ -79,15 +72,15 @@ double ScriptedDriver::way_left() const {
 
 bool ScriptedDriver::is_free_of_walls(const Vector2d& to) const {
   const double reach = simulation_.robot().footprint.reach();
-  return simulation_.floor_plan().is_straight_way(simulation_.now().robot.position(), to,
-                                                  reach + options_.margin);
+  return simulation_.navigation_map().is_straight_way(simulation_.now().robot.position(), to,
+                                                      reach + options_.margin);
 }
 
 bool ScriptedDriver::is_free_of_people(const Vector2d& to) const {
-  const Situation& now = simulation_.now();
-  const Vector2d from = now.robot.position();
+  const Vector2d from = simulation_.now().robot.position();
   const double reach = simulation_.robot().footprint.reach();
-  for (const PersonView& person : now.people) {
+  for (const Obstacle& person : simulation_.obstacles()) {
+    if (!person.is_disc()) continue;
     const Vector2d soon = person.pose.position() + 0.5 * person.velocity;
     const double keep = reach + person.radius + options_.people_margin;
     // Whoever is near already does not stop a way that leads away from him.
@@ -136,7 +129,7 @@ DriveCommand ScriptedDriver::back_up() const {
   const Vector2d behind = robot * Vector2d(-0.5, 0.0);
   const double half_width = simulation_.robot().footprint.inner_radius();
   const bool is_free =
-      simulation_.floor_plan().is_straight_way(robot.position(), behind, half_width + 0.03) &&
+      simulation_.navigation_map().is_straight_way(robot.position(), behind, half_width + 0.03) &&
       is_free_of_people(behind);
   return {.forward_velocity = is_free ? -0.2 : 0.0, .turn_velocity = 0.0};
 }
@@ -164,7 +157,7 @@ DriveCommand ScriptedDriver::command(double time) {
   Vector2d aim = to;
   if (!is_free_of_walls(to)) {
     const double reach = simulation_.robot().footprint.reach();
-    const auto way = simulation_.floor_plan().way(robot, to, reach + 0.5 * options_.margin);
+    const auto way = simulation_.navigation_map().way(robot, to, reach + 0.5 * options_.margin);
     if (way) aim = (*way)[1];
     speed *= kSlowly;
   }

@@ -1,0 +1,53 @@
+#include "core/file/gzip_writer.h"
+
+#include <algorithm>
+#include <array>
+
+#include <zlib.h>
+
+#include "core/check.h"
+#include "core/file/atomic_file.h"
+
+namespace mapbed {
+
+struct GzipWriter::State {
+  explicit State(const std::string& path) : file(path) {
+    // 15 is the longest window, 16 more ask for gzip's header, without name and time of the file.
+    CHECK(deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, 15 + 16, 8,
+                       Z_DEFAULT_STRATEGY) == Z_OK);
+  }
+  ~State() { deflateEnd(&stream); }
+
+  void pack(std::string_view bytes, int flush) {
+    std::array<char, 1U << 16> packed;
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    do {
+      stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+      stream.avail_out = static_cast<uInt>(packed.size());
+      CHECK(deflate(&stream, flush) != Z_STREAM_ERROR);
+      file.stream().write(packed.data(),
+                          static_cast<std::streamsize>(packed.size() - stream.avail_out));
+    } while (stream.avail_out == 0);
+  }
+
+  AtomicFile file;
+  z_stream stream{};
+};
+
+GzipWriter::GzipWriter(const std::string& path) : state_(std::make_unique<State>(path)) {}
+GzipWriter::~GzipWriter() = default;
+
+void GzipWriter::write(std::string_view bytes) {
+  constexpr std::size_t kMost = std::size_t{1} << 30;  // zlib counts in 32 bits
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(kMost, bytes.size()))) {
+    state_->pack(bytes.substr(0, kMost), Z_NO_FLUSH);
+  }
+}
+
+void GzipWriter::commit() {
+  state_->pack({}, Z_FINISH);
+  state_->file.commit();
+}
+
+}  // namespace mapbed

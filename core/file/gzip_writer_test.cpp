@@ -1,0 +1,34 @@
+#include "core/file/gzip_writer.h"
+
+#include <filesystem>
+
+#include "core/file/text_file.h"
+#include "core/testing/temporary_folder.h"
+
+namespace mapbed {
+namespace {
+
+TEST(GzipWriter, WritesInPiecesWhatIsReadAsOne) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.gz");
+  std::string whole;
+  GzipWriter writer(path);
+  for (int i = 0; i < 1000; ++i) {
+    const std::string piece(static_cast<std::size_t>(i % 300), static_cast<char>(i % 251));
+    writer.write(piece);
+    whole += piece;
+  }
+  writer.commit();
+
+  EXPECT_EQ(read_text_file(path), whole);
+  EXPECT_LT(std::filesystem::file_size(path), whole.size() / 10);  // runs of one byte pack well
+}
+
+TEST(GzipWriter, LeavesNothingBehindThatIsNotComplete) {
+  const TemporaryFolder folder;
+  { GzipWriter(folder.file("a.gz")).write("half"); }
+  EXPECT_EQ(folder.files(), 0u);
+}
+
+}  // namespace
+}  // namespace mapbed

@@ -1,0 +1,77 @@
+#include "robots/sensor_model.h"
+
+#include <map>
+
+#include "core/config/config_node.h"
+#include "core/config/suggestion.h"
+#include "core/data_path.h"
+#include "core/geometry/angle.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+void check(const LaserModel& laser, const SourceLocation& place) {
+  if (laser.beams * laser.bearing_step > 2.0 * kPi + 1e-4) {
+    throw InputError(place, "the beams cover more than a full turn", "lower beams or bearing_step");
+  }
+  if (laser.noise.far_range < laser.noise.near_range) {
+    throw InputError(place, "noise.far_range is below noise.near_range",
+                     "the error grows from near_range to far_range");
+  }
+  if (laser.mirror_rate > 0.0 && laser.scan_rate * laser.interlace > laser.mirror_rate) {
+    throw InputError(place, "sweeps come faster than the mirror turns",
+                     "lower scan_rate, or raise mirror_rate (0: all beams at once)");
+  }
+}
+
+template <class Model>
+SensorModel model_in(const ConfigNode& file) {
+  Model model;
+  read_options(file, options_of(model));
+  return model;
+}
+
+// What a sensor file's `kind` may be.
+const std::map<std::string, SensorModel (*)(const ConfigNode&)> kKinds = {
+    {"laser", model_in<LaserModel>},
+};
+
+SensorModel model_by_kind(const ConfigNode& file) {
+  const ConfigNode* kind = file.find("kind");
+  if (kind == nullptr) return model_in<LaserModel>(file);
+  const auto found = kKinds.find(kind->text());
+  if (found != kKinds.end()) return found->second(file);
+  std::vector<std::string> names;
+  for (const auto& [name, read] : kKinds) names.push_back(name);
+  throw InputError(kind->place(), "unknown kind " + in_quotes(kind->text()) + " of a sensor",
+                   suggestion(kind->text(), names));
+}
+
+}  // namespace
+
+SensorModel load_sensor(const std::string& name_or_path) {
+  const auto path = find_data_file("sensor", "robots/sensors", name_or_path);
+  const ConfigNode file = load_config(path.string());
+  const SensorModel model = model_by_kind(file);
+  check_sensor(model, file.place());
+  file.check_all_used("the sensor");
+  return model;
+}
+
+LaserModel load_laser(const std::string& name_or_path) {
+  const SensorModel model = load_sensor(name_or_path);
+  const auto* laser = std::get_if<LaserModel>(&model);
+  if (laser == nullptr) throw InputError("sensor " + in_quotes(name_or_path) + " is not a laser");
+  return *laser;
+}
+
+std::vector<std::string> sensor_names() {
+  return data_names("robots/sensors");
+}
+
+void check_sensor(const SensorModel& model, const SourceLocation& place) {
+  std::visit([&](const auto& m) { check(m, place); }, model);
+}
+
+}  // namespace mapbed

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "sim/sensors/ideal_reading.h"
+#include "sim/truth/truth.h"
+
+namespace mapbed {
+
+// A drive without noise, and what was true during it. Noise is drawn afterwards, as often and as
+// strong as wanted (sim/noise/sensor_noise.h): the world is rendered once.
+struct Recording {
+  std::vector<IdealReading> readings;  // by time; odometry of a scan's stamp comes before it
+  Truth truth;
+  bool is_complete = false;  // the driver was done; false: the longest time was over
+};
+
+// Who takes a recording as it grows, each kind by time.
+struct RecordingSink {
+  std::function<void(IdealReading&&)> reading = {};
+  std::function<void(StampedStates&&)> states = {};
+  std::function<void(BeamTruthOfScan&&)> beams = {};
+};
+
+// Keeps everything in memory: in `recording`, which must outlive the sink.
+RecordingSink sink_into(Recording& recording);
+
+}  // namespace mapbed
