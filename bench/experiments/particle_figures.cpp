@@ -60,10 +60,6 @@ Trajectory thinned(const Trajectory& path, double tolerance) {
   return result;
 }
 
-double tenths(double value) {
-  return std::round(10.0 * value) / 10.0;
-}
-
 void append(const Trajectory& path, const Pose2& world_from_path, PlotSeries& series) {
   for (const Stamped<Pose2>& stamped : thinned(path, kFinest)) {
     const Pose2 pose = world_from_path * stamped.pose;
@@ -115,34 +111,6 @@ std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajecto
       .series = {particles, true_path},
       .equal_scales = true};
   return files_of("paths_after_" + time + "_s", plot);
-}
-
-std::vector<ResultFile> diversity_figure(const Hypotheses& hypotheses, const std::string& label) {
-  if (hypotheses.diversity.empty()) return {};
-  PlotSeries ancestors{.name = "ancestors of the particles at the end", .mark = Mark::path};
-  PlotSeries effective{.name = "effective number of particles", .mark = Mark::path};
-  const double start = hypotheses.diversity.front().time;
-  const std::vector<Diversity>& updates = hypotheses.diversity;
-  for (std::size_t i = 0; i < updates.size(); ++i) {
-    const double time = tenths(updates[i].time - start);
-    effective.x.push_back(time);
-    effective.y.push_back(tenths(updates[i].effective_number));
-    const auto same_at = [&](std::size_t other) {
-      return updates[other].distinct_ancestors == updates[i].distinct_ancestors;
-    };
-    // A stair shows where it turns.
-    const bool within = i > 0 && i + 1 < updates.size() && same_at(i - 1) && same_at(i + 1);
-    if (within) continue;
-    ancestors.x.push_back(time);
-    ancestors.y.push_back(updates[i].distinct_ancestors);
-  }
-  const Plot plot{
-      .title = fmt::format("How many possibilities {} particles hold", particles_of(hypotheses)),
-      .subtitle = labelled(label, "the first seed; before resampling at each update"),
-      .x = {"time since the start", "s"},
-      .y = {.label = "particles", .logarithmic = true},
-      .series = {effective, ancestors}};
-  return files_of("diversity", plot);
 }
 
 }  // namespace mapbed

@@ -14,8 +14,4 @@ std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajecto
                                     const Pose2& world_from_map, double seconds,
                                     const std::string& label);
 
-// How many of the particles of each update have descendants in the end, and how well they were
-// spread. Empty for methods without particles.
-std::vector<ResultFile> diversity_figure(const Hypotheses& hypotheses, const std::string& label);
-
 }  // namespace mapbed

@@ -22,7 +22,6 @@ Hypotheses two_particles() {
 
 TEST(ParticleFigures, OfAMethodWithoutParticlesAreNone) {
   EXPECT_TRUE(path_figure({}, {}, {}, 1.0, "").empty());
-  EXPECT_TRUE(diversity_figure({}, "").empty());
 }
 
 TEST(ParticleFigures, ShowAllPathsInTheWorldUpToNow) {
@@ -49,26 +48,6 @@ TEST(ParticleFigures, LeaveOutWhatNobodyWouldSee) {
   EXPECT_THAT(csv, HasSubstr(",10,0,,\n"));  // the corner
   EXPECT_THAT(csv, HasSubstr(",10,10,,\n"));
   EXPECT_LE(std::count(csv.begin(), csv.end(), '\n'), 6);  // with the head and the gap's line
-}
-
-TEST(ParticleFigures, ShowHowManyAncestorsAreLeft) {
-  const auto files = diversity_figure(two_particles(), "few, noise = 2");
-  ASSERT_EQ(files.size(), 2U);
-  EXPECT_TRUE(is_well_formed(files[0].content));
-  EXPECT_THAT(files[0].content, HasSubstr("few, noise = 2; the first seed"));
-  EXPECT_THAT(files[1].content, HasSubstr("effective number of particles,1,1.2"));
-  EXPECT_THAT(files[1].content, HasSubstr("ancestors of the particles at the end,2,2"));
-}
-
-TEST(ParticleFigures, ShowAncestorsWhereTheirNumberChanges) {
-  Hypotheses hypotheses;
-  for (int i = 0; i < 10; ++i) hypotheses.diversity.push_back({0.0 + i, i < 6 ? 1 : 4, 2.0, false});
-  const std::string csv = diversity_figure(hypotheses, "")[1].content;
-  for (const char* corner : {",0,1,,", ",5,1,,", ",6,4,,", ",9,4,,"}) {
-    EXPECT_THAT(csv, HasSubstr(std::string("ancestors of the particles at the end") + corner));
-  }
-  EXPECT_THAT(csv, ::testing::Not(HasSubstr("at the end,3,1,,")));
-  EXPECT_THAT(csv, HasSubstr("effective number of particles,3,2,,"));
 }
 
 }  // namespace

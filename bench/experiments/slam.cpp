@@ -132,7 +132,6 @@ Watched add_log(const SlamOptions& options, const RunInput& input, Estimator& es
     estimator.add(measurement);
     if (std::holds_alternative<LaserScan>(measurement)) series.look(time, estimator);
   }
-  if (input.shown) keep(diversity_figure(estimator.hypotheses(), input.label));
   watched.series = series.finish(estimator);
   return watched;
 }

@@ -55,7 +55,10 @@ void SlamSeries::add_error(double time, const Pose2& map_from_robot) {
   waiting_.reset();
   const std::optional<Pose2> world_from_robot = pose_at(input_.truth, time);
   if (!world_from_robot) return;
-  if (!world_from_map_) world_from_map_ = *world_from_robot * inverse(map_from_robot);
+  if (!world_from_map_) {  // no error here, by definition
+    world_from_map_ = *world_from_robot * inverse(map_from_robot);
+    return;
+  }
   const double error = distance(*world_from_robot, *world_from_map_ * map_from_robot);
   position_error_.points.push_back({time - start_, error});
 }

@@ -16,7 +16,7 @@ const std::vector<SeriesMetric>& slam_series();
 // Watches a method at work. Only what is wanted of slam_series() is worked out.
 class SlamSeries {
  public:
-  // A point every `step` [s] since the log's start, and one at its end. The input must outlive
+  // A point every `step` [s] after the log's start, and one at its end. The input must outlive
   // this.
   SlamSeries(const RunInput& input, double step);
 
