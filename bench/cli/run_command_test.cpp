@@ -25,6 +25,7 @@ constexpr const char* kDrives =
     "sweep: {robot.odometry.rotation_sigma: [0 deg, 3 deg]}\n"
     "compare: {raw: {estimator: odometry}, matched: {estimator: scan_matching}}\n"
     "seeds: 6\n"
+    "series_step: 1 s\n"
     "metrics: [translation_error, largest_error, failures, map_f1, position_error]\n"
     "plots: [{kind: series, y: position_error}]\n"
     "claims: [{metric: failures, of: matched, at_most: raw},\n"

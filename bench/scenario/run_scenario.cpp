@@ -84,29 +84,17 @@ ScenarioRun finished_run(const ScenarioPlan& plan, const std::string& folder) {
   return run;
 }
 
-}  // namespace
-
-ScenarioRun run_scenario(
-    const ScenarioPlan& plan, const ScenarioRunOptions& options,
-    const std::function<bool(std::size_t done, std::size_t total)>& may_go_on) {
-  const Stopwatch stopwatch;
-  const FolderLock lock(options.folder);
-  const std::string identity = sha256(identity_text(plan)) + sha256_of_program();
-  if (!options.restart && finished_identity(options.folder) == identity) {
-    return finished_run(plan, options.folder);
-  }
-  StagingFolder staging(options.folder, plan.results, identity, options.restart);
+// Resumes what an earlier start has done, and does the rest of the runs.
+ScenarioRun all_runs(const ScenarioPlan& plan, int threads, StagingFolder& staging,
+                     const MayGoOn& may_go_on) {
   ScenarioRun run{.results = plan.results};
   const std::set<int> done = resume(staging.found(), plan, run.results);
   run.done_before = static_cast<int>(done.size());
-  std::vector<int> to_do;
-  const std::vector<int> all = plan.runs_to_do();
-  for (const int i : all) {
-    if (!done.contains(i)) to_do.push_back(i);
-  }
+  std::vector<int> to_do = plan.runs_to_do();
+  const std::size_t total = to_do.size();
+  std::erase_if(to_do, [&done](int i) { return done.contains(i); });
 
-  const std::size_t total = all.size();
-  std::atomic<bool> goes_on = true;
+  std::atomic<bool> goes_on = may_go_on(run.results.runs.size(), total);
   RunnerCalls calls;
   calls.may_go_on = [&goes_on] { return goes_on.load(); };
   calls.done = [&](RunResult result) {
@@ -115,11 +103,24 @@ ScenarioRun run_scenario(
     run.results.costs.push_back(result.cost);
     if (!may_go_on(run.results.runs.size(), total)) goes_on = false;
   };
-  if (!may_go_on(run.results.runs.size(), total)) goes_on = false;
-  run.recordings = do_runs(plan, to_do, options.threads, calls);
+  run.recordings = do_runs(plan, to_do, threads, calls);
   run.complete = run.results.runs.size() == total;
-  if (!run.complete) return run;
+  return run;
+}
 
+}  // namespace
+
+ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& options,
+                         const MayGoOn& may_go_on) {
+  const Stopwatch stopwatch;
+  const FolderLock lock(options.folder);
+  const std::string identity = sha256(identity_text(plan)) + sha256_of_program();
+  if (!options.restart && finished_identity(options.folder) == identity) {
+    return finished_run(plan, options.folder);
+  }
+  StagingFolder staging(options.folder, plan.results, identity, options.restart);
+  ScenarioRun run = all_runs(plan, options.threads, staging, may_go_on);
+  if (!run.complete) return run;
   staging.collect(run.results);
   summarize(run.results);
   Provenance provenance = provenance_of(plan, options, run);

@@ -24,18 +24,21 @@ struct ScenarioRun {
   bool complete = false;  // false: interrupted; nothing but the journal was written
 };
 
-// Runs what is not done yet, judges, and writes:
+// Asked often, with the runs that are done and all that there are; false ends the work with the
+// runs that are under way.
+using MayGoOn = std::function<bool(std::size_t done, std::size_t total)>;
+
+// Runs what is not done yet, evaluates the claims, and writes:
 //
-//   config.yaml, runs.csv, summary.csv, claims.csv    the same bytes for the same seed
-//   cost.csv, cost_claims.csv, provenance.json        all that differs from run to run
-//   maps/, trajectories/                              of the first seed, by level and variant
+//   config.yaml; runs, summary, series, claims, files  the same bytes for the same seed
+//   cost.csv, cost_claims.csv, provenance.json         all that differs from run to run
+//   maps/, trajectories/, figures/, replays/           of the first seed, by level and variant
 //
 // Until everything is done it writes below runs/ only, and goes on from there when it is started
-// again; an older result of the folder stays until then. `may_go_on` is asked often; false ends the
-// work with the runs that are under way. Throws InputError where another program is at work in the
-// folder, or it cannot be written.
+// again; an older result of the folder stays until then. Throws InputError where another program is
+// at work in the folder, or it cannot be written.
 ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& options,
-                         const std::function<bool(std::size_t done, std::size_t total)>& may_go_on);
+                         const MayGoOn& may_go_on);
 
 // One run alone, nothing is written.
 RunRow repeat_run(const ScenarioPlan& plan, int run);
