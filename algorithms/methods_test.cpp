@@ -8,6 +8,7 @@
 #include "core/input_error.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"
+#include "core/testing/throws_input_error.h"
 
 namespace mapbed {
 namespace {
@@ -15,7 +16,6 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::ThrowsMessage;
 
 TEST(Methods, AreFoundByNameAndListTheirOptions) {
   for (const Method& method : methods()) {
@@ -28,15 +28,14 @@ TEST(Methods, AreFoundByNameAndListTheirOptions) {
 }
 
 TEST(Methods, AMisspeltNameGetsTheNearestOne) {
-  EXPECT_THAT(
-      [] { method_by_name("odometri"); },
-      ThrowsMessage<InputError>(HasSubstr("unknown method 'odometri'; did you mean 'odometry'?")));
+  EXPECT_INPUT_ERROR(method_by_name("odometri"),
+                     "unknown method 'odometri'; did you mean 'odometry'?");
 }
 
 TEST(Methods, ASettingThatNoOptionTakesIsAnError) {
   const Settings settings{parse_setting("longest_gapp=2 s")};
-  EXPECT_THAT([&] { method_by_name("odometry").configure(settings); },
-              ThrowsMessage<InputError>(HasSubstr("unknown key 'longest_gapp' in odometry")));
+  EXPECT_INPUT_ERROR(method_by_name("odometry").configure(settings),
+                     "unknown key 'longest_gapp' in odometry");
 }
 
 TEST(Methods, SettingsReachTheCompleteConfiguration) {
@@ -173,16 +172,16 @@ TEST_P(MethodWithErrorModels, TheLaterOfModelAndParameterWins) {
 
 TEST_P(MethodWithErrorModels, AMisspeltModelIsToldWithItsPlace) {
   const Settings settings{{"matching_errors", "pioner_matching", {"my.yaml", 9}}};
-  EXPECT_THAT([&] { method_by_name(GetParam()).configure(settings); },
-              ThrowsMessage<InputError>("my.yaml:9: unknown motion model 'pioner_matching'; did "
-                                        "you mean 'pioneer_matching'?"));
+  EXPECT_INPUT_ERROR(method_by_name(GetParam()).configure(settings),
+                     "my.yaml:9: unknown motion model 'pioner_matching'; did "
+                     "you mean 'pioneer_matching'?");
 }
 
 TEST_P(MethodWithErrorModels, TheStandardFilterCannotLeaveOdometryOut) {
   const Settings settings{{"proposal", "odometry", {"my.yaml", 4}},
                           {"matcher.use_odometry", "false", {"my.yaml", 7}}};
-  EXPECT_THAT([&] { method_by_name(GetParam()).configure(settings).complete_yaml; },
-              ThrowsMessage<InputError>(HasSubstr("my.yaml:7: proposal 'odometry' needs the")));
+  EXPECT_INPUT_ERROR(method_by_name(GetParam()).configure(settings).complete_yaml,
+                     "my.yaml:7: proposal 'odometry' needs the");
   EXPECT_NO_THROW(method_by_name(GetParam()).configure({settings[0]}).complete_yaml);
   EXPECT_NO_THROW(method_by_name(GetParam()).configure({settings[1]}).complete_yaml);
 }

@@ -9,6 +9,7 @@
 #include "core/config/settings.h"
 #include "core/data_path.h"
 #include "core/input_error.h"
+#include "core/testing/throws_input_error.h"
 
 namespace mapbed {
 namespace {
@@ -147,9 +148,8 @@ TEST(MotionModelFile, AllAreRead) {
 }
 
 TEST(MotionModelFile, AnUnknownNameIsAnError) {
-  EXPECT_THAT([] { load_motion_model("pioneer_odometri"); },
-              ::testing::ThrowsMessage<InputError>(
-                  ::testing::HasSubstr("unknown motion model 'pioneer_odometri'")));
+  EXPECT_INPUT_ERROR(load_motion_model("pioneer_odometri"),
+                     "unknown motion model 'pioneer_odometri'");
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include <gmock/gmock.h>
 
 #include "core/input_error.h"
+#include "core/testing/throws_input_error.h"
 
 namespace mapbed {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 MapConfig config_of(const std::vector<std::string>& assignments) {
   Settings settings;
@@ -18,8 +18,8 @@ MapConfig config_of(const std::vector<std::string>& assignments) {
   return map_config_from(settings);
 }
 
-auto refuses_with(const std::string& message) {
-  return ThrowsMessage<InputError>(HasSubstr(message));
+void expect_refused(const std::vector<std::string>& assignments, const std::string& message) {
+  EXPECT_INPUT_ERROR(config_of(assignments), message);
 }
 
 TEST(MapConfig, GivesEachSettingToItsOwner) {
@@ -32,45 +32,27 @@ TEST(MapConfig, GivesEachSettingToItsOwner) {
 }
 
 TEST(MapConfig, RefusesWhatNobodyTakes) {
-  EXPECT_THAT([] { config_of({"mapp.resolution=10 cm"}); }, refuses_with("unknown key 'mapp'"));
-  EXPECT_THAT([] { config_of({"map.resolutoin=10 cm"}); },
-              refuses_with("unknown key 'resolutoin' in map; did you mean 'resolution'?"));
-  EXPECT_THAT(
-      [] {
-        config_of({"method=odometry", "odometry.longest_gapp=1 s"});
-      },
-      refuses_with("unknown key 'longest_gapp' in odometry"));
-  EXPECT_THAT([] { config_of({"method=odometri"}); }, refuses_with("unknown method 'odometri'"));
-  EXPECT_THAT(
-      [] {
-        config_of({"method=odometry", "odometry=3"});
-      },
-      refuses_with("'odometry' has keys and takes no value"));
+  expect_refused({"mapp.resolution=10 cm"}, "unknown key 'mapp'");
+  expect_refused({"map.resolutoin=10 cm"},
+                 "unknown key 'resolutoin' in map; did you mean 'resolution'?");
+  expect_refused({"method=odometry", "odometry.longest_gapp=1 s"},
+                 "unknown key 'longest_gapp' in odometry");
+  expect_refused({"method=odometri"}, "unknown method 'odometri'");
+  expect_refused({"method=odometry", "odometry=3"}, "'odometry' has keys and takes no value");
 }
 
 TEST(MapConfig, TellsWhereAnOptionOfTheMethodBelongs) {
-  EXPECT_THAT(
-      [] {
-        config_of({"particles=30", "method=rbpf"});
-      },
-      refuses_with("'particles' is an option of the method rbpf; write 'rbpf.particles'"));
-  EXPECT_THAT(
-      [] {
-        config_of({"method=rbpf", "likelihood.sigma=5 cm"});
-      },
-      refuses_with("write 'rbpf.likelihood.sigma'"));
-  EXPECT_THAT(
-      [] {
-        config_of({"method=odometry", "particles=30"});
-      },
-      refuses_with("unknown key 'particles'"));
+  expect_refused({"particles=30", "method=rbpf"},
+                 "'particles' is an option of the method rbpf; write 'rbpf.particles'");
+  expect_refused({"method=rbpf", "likelihood.sigma=5 cm"}, "write 'rbpf.likelihood.sigma'");
+  expect_refused({"method=odometry", "particles=30"}, "unknown key 'particles'");
 }
 
 TEST(MapConfig, RefusesWrongUnitsAndSizesThatMakeNoSense) {
-  EXPECT_THAT([] { config_of({"map.resolution=2 kg"}); }, refuses_with("'2 kg' is not a length"));
-  EXPECT_THAT([] { config_of({"map.resolution=-5 cm"}); }, refuses_with("resolution"));
-  EXPECT_THAT([] { config_of({"map.resolution=nan"}); }, refuses_with("nan"));
-  EXPECT_THAT([] { config_of({"map.resolution=5"}); }, refuses_with("5"));
+  expect_refused({"map.resolution=2 kg"}, "'2 kg' is not a length");
+  expect_refused({"map.resolution=-5 cm"}, "resolution");
+  expect_refused({"map.resolution=nan"}, "nan");
+  expect_refused({"map.resolution=5"}, "5");
 }
 
 TEST(MapConfig, WrittenOutAndReadAgainIsTheSame) {
