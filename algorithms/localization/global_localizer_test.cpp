@@ -5,6 +5,7 @@
 #include "algorithms/scan/hit_points.h"
 #include "algorithms/scan/surface_points.h"
 #include "algorithms/testing/furnished_room.h"
+#include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"
 

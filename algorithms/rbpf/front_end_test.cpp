@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/rbpf/testing/drives.h"
+#include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
 
 namespace mapbed {

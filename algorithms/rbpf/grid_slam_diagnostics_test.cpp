@@ -5,6 +5,7 @@
 
 #include "algorithms/rbpf/grid_slam.h"
 #include "algorithms/rbpf/testing/drives.h"
+#include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
 
 namespace mapbed {

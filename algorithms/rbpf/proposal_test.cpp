@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
 
 namespace mapbed {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/odometry_estimator.h"
+#include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"
 

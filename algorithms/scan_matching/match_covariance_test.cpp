@@ -10,6 +10,7 @@
 #include "algorithms/scan/hit_points.h"
 #include "algorithms/scan/surface_points.h"
 #include "algorithms/scan_matching/scan_matcher.h"
+#include "core/geometry/angle.h"
 #include "core/testing/test_room.h"
 
 namespace mapbed {

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/geometry/angle.h"
 #include "core/testing/test_room.h"
 
 namespace mapbed {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/geometry/angle.h"
 #include "core/statistics/moments.h"
 #include "core/testing/is_near.h"
 
