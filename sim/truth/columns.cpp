@@ -1,11 +1,14 @@
 #include "sim/truth/columns.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "core/check.h"
 
 namespace mapbed {
 namespace {
+
+constexpr int kMostPlanes = 4;
 
 template <class Unsigned>
 void append_little_endian(std::string& bytes, Unsigned number) {
@@ -23,6 +26,15 @@ Unsigned little_endian(std::string_view bytes) {
   return number;
 }
 
+// How many bytes hold every number, sign included.
+std::size_t planes_for(std::span<const std::int32_t> numbers) {
+  std::uint32_t bits = 0;  // that differ from the sign's in any of them
+  for (const std::int32_t number : numbers) {
+    bits |= static_cast<std::uint32_t>(number < 0 ? ~number : number);
+  }
+  return std::bit_width(bits) / 8 + 1;
+}
+
 }  // namespace
 
 void append_number(std::string& bytes, std::uint32_t number) {
@@ -36,14 +48,11 @@ void append_numbers(std::string& bytes, std::span<const double> numbers) {
 }
 
 void append_planes(std::string& bytes, std::span<const std::int32_t> numbers) {
-  const std::size_t begin = bytes.size();
-  const std::size_t count = numbers.size();
-  bytes.resize(begin + 4 * count);
-  char* const planes = bytes.data() + begin;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto number = static_cast<std::uint32_t>(numbers[i]);
-    for (std::size_t k = 0; k < 4; ++k) {
-      planes[k * count + i] = static_cast<char>(number >> (8 * k));
+  const std::size_t planes = planes_for(numbers);
+  bytes.push_back(static_cast<char>(planes));
+  for (std::size_t k = 0; k < planes; ++k) {
+    for (const std::int32_t number : numbers) {
+      bytes.push_back(static_cast<char>(static_cast<std::uint32_t>(number) >> (8 * k)));
     }
   }
 }
@@ -70,7 +79,7 @@ void accumulate(std::span<std::int32_t> numbers, std::size_t length) {
 
 // Counts come from the file: they may be anything.
 std::string_view ColumnReader::take(std::size_t count, std::size_t size) {
-  if (!ok_ || count > bytes_.size() / size) {
+  if (!ok_ || count > bytes_.size() / std::max<std::size_t>(size, 1)) {
     ok_ = false;
     return {};
   }
@@ -95,16 +104,23 @@ std::vector<double> ColumnReader::numbers(std::size_t count) {
 }
 
 std::vector<std::int32_t> ColumnReader::planes(std::size_t count) {
-  const std::string_view bytes = take(count, 4);
+  const std::string_view width = take(1, 1);
+  const auto planes = static_cast<unsigned char>(ok_ ? width[0] : 0);
+  ok_ = ok_ && planes >= 1 && planes <= kMostPlanes;
+  const std::string_view bytes = take(count, planes);
   if (!ok_) return {};
+  std::vector<std::uint32_t> numbers(count);
+  for (std::size_t k = 0; k < planes; ++k) {
+    const char* const plane = bytes.data() + k * count;
+    for (std::size_t i = 0; i < count; ++i) {
+      numbers[i] |= static_cast<std::uint32_t>(static_cast<unsigned char>(plane[i])) << (8 * k);
+    }
+  }
+  // The highest plane has the sign.
+  const int above = 8 * (kMostPlanes - planes);
   std::vector<std::int32_t> result(count);
   for (std::size_t i = 0; i < count; ++i) {
-    std::uint32_t number = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      number |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[k * count + i]))
-                << (8 * k);
-    }
-    result[i] = static_cast<std::int32_t>(number);
+    result[i] = static_cast<std::int32_t>(numbers[i] << above) >> above;
   }
   return result;
 }

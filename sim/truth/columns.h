@@ -9,8 +9,8 @@
 namespace mapbed {
 
 // Columns of numbers as the blocks of a truth file have them, little-endian on every machine. In
-// planes (all lowest bytes, all next ones, …) gzip packs them to half of what it makes of whole
-// numbers.
+// planes (their number, then all lowest bytes, all next ones, …) gzip packs them to half of what it
+// makes of whole numbers; only as many planes are written as the largest number needs.
 
 void append_number(std::string& bytes, std::uint32_t number);
 void append_numbers(std::string& bytes, std::span<const double> numbers);

@@ -26,10 +26,11 @@
 //          range[k][n], entity[k][n], part[k][n], material[k][n], motion[k][n]
 //
 // Motion is 0 still, 1 waiting, 2 moving; entity, part, material and range are -1 where nothing was
-// hit. Every column behind the float64 is int32 in planes: the lowest bytes of all its numbers,
-// then the next ones, and so on. Range [1 um] and pose (x, y, z [0.1 mm], then x, y, z, w of a unit
-// quaternion, times 1e5) are differences from the moment before, but for the first of the n.
-// sim/README.md has a reader of some 20 lines in Python.
+// hit. Every column behind the float64 is in planes: a byte that says how many (1 to 4), then the
+// lowest bytes of all its numbers, the next ones, and so on; the highest bit is the sign. Range [1
+// um] and pose (x, y, z [0.1 mm], then x, y, z, w of a unit quaternion, times 1e5) are differences
+// from the moment before, but for the first of the n. sim/README.md has a reader of some 20 lines
+// in Python.
 
 namespace mapbed {
 
