@@ -263,6 +263,12 @@ Simulation::Sweep Simulation::sweep(int laser_index, double start, std::uint64_t
   result.truth.time = result.ideal.time = middle.time;
   result.truth.laser = result.ideal.laser = laser_index;
   result.ideal.sweep = number;
+  // All at once: a long recording keeps thousands of these.
+  std::size_t echo_count = 0;
+  for (const BeamEchoes& beam : echoes) echo_count += beam.echoes.size();
+  result.ideal.echoes.reserve(echo_count);
+  result.ideal.first_echo.reserve(echoes.size() + 1);
+  result.truth.beams.reserve(echoes.size());
   result.ideal.first_echo.push_back(0);
   for (BeamEchoes& beam : echoes) {
     beam.truth.motion = motions.of(beam.truth.entity, beam.truth.part);
