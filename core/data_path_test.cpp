@@ -2,6 +2,9 @@
 
 #include <cstdlib>
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include "core/testing/throws_input_error.h"
 
 namespace mapbed {
