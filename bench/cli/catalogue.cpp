@@ -112,7 +112,7 @@ std::string text_of(const Experiment& experiment) {
   const auto line = [](const std::string& name, const std::string& about, Unit unit) {
     return "  " + name + "  # " + about + (unit == Unit::none ? "" : ", " + unit_name(unit)) + "\n";
   };
-  std::string text = "needs: " + text_of(experiment.needs) + "\n";
+  std::string text;
   for (const std::string& log : experiment.further_logs) text += "further log: " + log + "\n";
   text += "metrics:\n";
   for (const Metric& metric : experiment.metrics) {
