@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -47,21 +46,24 @@ constexpr Bounds between(double low, double high) {  // both included
   return {.low = low, .high = high};
 }
 
-// A choice by name: the value is the index of one of `names`.
+// A choice by name: the field is of an enum, its value the index of one of `names`.
 struct Choice {
-  std::function<int()> get;
-  std::function<void(int)> set;
+  void* field;
+  int (*get)(const void* field);
+  void (*set)(void* field, int value);
   std::vector<std::string> names;
 };
+
+using OptionValue =
+    std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*,
+                 std::vector<int>*, std::vector<std::string>*, Choice>;
 
 // One option of a struct, by reference: path, place in memory, unit, bounds and meaning. Reading,
 // writing, sweeping by dotted path, describing and rejecting unknown keys all work on a list of
 // these. Default values are finite and within their bounds.
 struct Option {
   std::string path;  // "first_step", "odometry.rotation_sigma"
-  std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*,
-               std::vector<int>*, std::vector<std::string>*, Choice>
-      value;
+  OptionValue value;
   Unit unit = Unit::none;
   Bounds bounds;
   std::string about;
@@ -85,12 +87,12 @@ namespace option_detail {
 
 class Collector {
  public:
-  Collector(OptionList& list, std::string prefix) : list_(list), prefix_(std::move(prefix)) {}
+  Collector(OptionList& list, std::string prefix);
 
   template <class T>
   void operator()(std::string_view name, T& field, Unit unit, const Bounds& bounds,
                   std::string_view about) {
-    list_.push_back({prefix_ + std::string(name), &field, unit, bounds, std::string(about)});
+    add(name, &field, unit, bounds, about);
   }
 
   template <class T>
@@ -117,13 +119,17 @@ class Collector {
   requires std::is_enum_v<Enum>
   void operator()(std::string_view name, Enum& field, std::vector<std::string> names,
                   std::string_view about) {
-    Choice choice{[&field] { return static_cast<int>(field); },
-                  [&field](int index) { field = static_cast<Enum>(index); }, std::move(names)};
-    list_.push_back({prefix_ + std::string(name), std::move(choice), Unit::none, kAnyValue,
-                     std::string(about)});
+    add(name,
+        Choice{&field, [](const void* f) { return static_cast<int>(*static_cast<const Enum*>(f)); },
+               [](void* f, int value) { *static_cast<Enum*>(f) = static_cast<Enum>(value); },
+               std::move(names)},
+        Unit::none, kAnyValue, about);
   }
 
  private:
+  void add(std::string_view name, OptionValue value, Unit unit, const Bounds& bounds,
+           std::string_view about);
+
   OptionList& list_;
   std::string prefix_;
 };

@@ -22,7 +22,9 @@ struct Writer {
   }
   void operator()(std::vector<int>* value) const { *value = node.whole_numbers(option.bounds); }
   void operator()(std::vector<std::string>* value) const { *value = node.texts(); }
-  void operator()(const Choice& choice) const { choice.set(node.choice(choice.names)); }
+  void operator()(const Choice& choice) const {
+    choice.set(choice.field, node.choice(choice.names));
+  }
 };
 
 struct Printer {
@@ -44,7 +46,7 @@ struct Printer {
   std::string operator()(bool* value) const { return *value ? "true" : "false"; }
   std::string operator()(std::string* value) const { return text(*value); }
   std::string operator()(const Choice& choice) const {
-    const int index = choice.get();
+    const int index = choice.get(choice.field);
     CHECK(index >= 0 && static_cast<std::size_t>(index) < choice.names.size());
     return yaml_scalar(choice.names[static_cast<std::size_t>(index)]);
   }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/geometry/pose3.h"
+
 namespace mapbed {
 
 Pose3 Mount::pose() const {

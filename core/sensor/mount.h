@@ -1,9 +1,10 @@
 #pragma once
 
 #include "core/geometry/pose2.h"
-#include "core/geometry/pose3.h"
 
 namespace mapbed {
+
+struct Pose3;
 
 // Where a sensor sits on its robot. Kept as a place in the plan and what lifts and tilts it out of
 // it, so that methods in the plane use `planar` as it stands.
