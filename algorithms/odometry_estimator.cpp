@@ -64,7 +64,7 @@ Estimate OdometryEstimator::estimate() const {
   if (odometry_.empty()) {
     for (const double time : scan_stamps_) result.trajectory.push_back({time, start_});
     result.untrusted_scans = static_cast<int>(scan_stamps_.size());
-    result.remarks.push_back("no odometry at all: every pose is the first one");
+    result.remarks.emplace_back("no odometry at all: every pose is the first one");
     return result;
   }
   const Pose2 map_from_odometry = start_ * inverse(held_at(odometry_, scan_stamps_.front()));

@@ -61,13 +61,17 @@ endif()
 
 # The same for libraries. Only what others wrote: headers of ours are included by who needs them. That
 # each source includes what it needs of the rest shows in the preset fuzz, which precompiles nothing.
+# Twice, as g++ compiles all of a source at the level of its precompiled header.
 if(MAPBED_PRECOMPILE)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/library_pch.cpp CONTENT "")
-  add_library(mapbed_library_pch STATIC ${CMAKE_BINARY_DIR}/library_pch.cpp)
-  set_target_properties(mapbed_library_pch PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  target_link_libraries(mapbed_library_pch PUBLIC mapbed::flags Eigen3::Eigen fmt::fmt)
-  target_precompile_headers(mapbed_library_pch PRIVATE <algorithm> <cmath> <filesystem> <functional>
-    <map> <memory> <optional> <span> <string> <variant> <vector> <Eigen/Dense> <fmt/format.h>)
+  foreach(pch mapbed_library_pch mapbed_hot_library_pch)
+    add_library(${pch} STATIC ${CMAKE_BINARY_DIR}/library_pch.cpp)
+    set_target_properties(${pch} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(${pch} PUBLIC mapbed::flags Eigen3::Eigen fmt::fmt)
+    target_precompile_headers(${pch} PRIVATE <algorithm> <cmath> <filesystem> <functional>
+      <map> <memory> <optional> <span> <string> <variant> <vector> <Eigen/Dense> <fmt/format.h>)
+  endforeach()
+  target_compile_options(mapbed_hot_library_pch PRIVATE $<$<CONFIG:Release>:-O3>)
 endif()
 
 # All tests with the label unit. Each build has a folder of its own for temporary files, so that
@@ -104,11 +108,13 @@ function(mapbed_library name)
   target_include_directories(mapbed_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mapbed>)
   target_link_libraries(mapbed_${name} PUBLIC ${ARG_PUBLIC_LINKS} PRIVATE mapbed::flags ${ARG_PRIVATE_LINKS})
+  set(pch mapbed_library_pch)
   if(ARG_HOT)
+    set(pch mapbed_hot_library_pch)
     target_compile_options(mapbed_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
   endif()
   if(MAPBED_PRECOMPILE)
-    target_precompile_headers(mapbed_${name} REUSE_FROM mapbed_library_pch)
+    target_precompile_headers(mapbed_${name} REUSE_FROM ${pch})
     # The header holds fmt, which must be found as it was precompiled by libraries without it too.
     target_compile_definitions(mapbed_${name} PRIVATE
       $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)

@@ -12,21 +12,26 @@ constexpr int kMaxLevels = 8;     // blocks of up to 128 x 128 shifts
 constexpr int kBlocksAcross = 5;  // of the coarsest level, about
 
 // The larger of a cell and those `reach` cells right, above and both. The margin keeps rows apart.
-std::vector<std::uint8_t> widened(const std::vector<std::uint8_t>& fine, int width, int reach) {
+void widen(const std::vector<std::uint8_t>& fine, int width, int reach,
+           std::vector<std::uint8_t>& wide) {
   const auto right = static_cast<std::size_t>(reach);
   const auto above = right * static_cast<std::size_t>(width);
-  std::vector<std::uint8_t> wide = fine;
-  for (std::size_t i = 0; i + right < wide.size(); ++i)
-    wide[i] = std::max(wide[i], wide[i + right]);
-  for (std::size_t i = 0; i + above < wide.size(); ++i)
-    wide[i] = std::max(wide[i], wide[i + above]);
-  return wide;
+  wide = fine;
+  std::uint8_t* cells = wide.data();  // a pointer of its own: so the loops are vectorized
+  const std::size_t count = wide.size();
+  for (std::size_t i = 0; i + right < count; ++i) cells[i] = std::max(cells[i], cells[i + right]);
+  for (std::size_t i = 0; i + above < count; ++i) cells[i] = std::max(cells[i], cells[i + above]);
 }
 
 }  // namespace
 
 BoundPyramid make_bound_pyramid(const LikelihoodField& field, double window) {
   BoundPyramid pyramid;
+  remake_bound_pyramid(field, window, pyramid);
+  return pyramid;
+}
+
+void remake_bound_pyramid(const LikelihoodField& field, double window, BoundPyramid& pyramid) {
   pyramid.step = -double{field.outlier_log()} / 255.0;
   pyramid.max_shifts = static_cast<int>(std::ceil(window / field.resolution() - 1e-9));
   int level_count = 1;
@@ -44,8 +49,10 @@ BoundPyramid make_bound_pyramid(const LikelihoodField& field, double window) {
   pyramid.width = pyramid.box.width() + 2 * margin;
   pyramid.height = pyramid.box.height() + 2 * margin;
 
-  std::vector<std::uint8_t> cells(
-      static_cast<std::size_t>(pyramid.width) * static_cast<std::size_t>(pyramid.height), 0);
+  pyramid.levels.resize(static_cast<std::size_t>(level_count));
+  std::vector<std::uint8_t>& cells = pyramid.levels.front();
+  cells.assign(static_cast<std::size_t>(pyramid.width) * static_cast<std::size_t>(pyramid.height),
+               0);
   const std::size_t rows = box.empty() ? 0 : static_cast<std::size_t>(box.height());
   tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row_number) {
     const int y = box.min.y + static_cast<int>(row_number);
@@ -56,11 +63,8 @@ BoundPyramid make_bound_pyramid(const LikelihoodField& field, double window) {
       row[x] = static_cast<std::uint8_t>(std::min(255.0, std::ceil(above / pyramid.step - 1e-9)));
     }
   });
-  pyramid.levels.push_back(std::move(cells));
-  for (int h = 0; h + 1 < level_count; ++h) {
-    pyramid.levels.push_back(widened(pyramid.levels.back(), pyramid.width, 1 << h));
-  }
-  return pyramid;
+  for (std::size_t h = 0; h + 1 < pyramid.levels.size(); ++h)
+    widen(pyramid.levels[h], pyramid.width, 1 << h, pyramid.levels[h + 1]);
 }
 
 }  // namespace mapbed

@@ -23,4 +23,7 @@ struct BoundPyramid {
 // For shifts of up to `window` [m].
 BoundPyramid make_bound_pyramid(const LikelihoodField& field, double window);
 
+// The same into `pyramid`, whose memory is used again: a matcher makes one for each local map.
+void remake_bound_pyramid(const LikelihoodField& field, double window, BoundPyramid& pyramid);
+
 }  // namespace mapbed

@@ -123,8 +123,9 @@ ScanMatch IncrementalMatcher::searched_widely(const FieldPoints& points,
 }
 
 const BoundPyramid& IncrementalMatcher::pyramid() {
-  if (!pyramid_) pyramid_ = make_bound_pyramid(field_, options_.search.window);
-  return *pyramid_;
+  if (!pyramid_is_current_) remake_bound_pyramid(field_, options_.search.window, pyramid_);
+  pyramid_is_current_ = true;
+  return pyramid_;
 }
 
 // Keeps the scan for the local map where it is far enough from the one kept before, and brings the
@@ -157,7 +158,7 @@ void IncrementalMatcher::forget_oldest(std::size_t count) {
   }
   kept_poses_.erase(kept_poses_.begin(), kept_poses_.begin() + static_cast<std::ptrdiff_t>(count));
   field_.update(means_, means_.take_changed());
-  pyramid_.reset();
+  pyramid_is_current_ = false;
   icp_map_.reset();
 }
 

@@ -112,8 +112,9 @@ class IncrementalMatcher : public Estimator {
   std::deque<std::vector<SurfacePoint>> kept_points_;  // [m] in the map frame
   SurfaceMeans means_;
   LikelihoodField field_;
-  std::optional<BoundPyramid> pyramid_;  // of field_, made when first needed
-  std::optional<IcpMap> icp_map_;        // the same for ICP
+  BoundPyramid pyramid_;  // of field_, made when first needed
+  bool pyramid_is_current_ = false;
+  std::optional<IcpMap> icp_map_;  // the same for ICP
 };
 
 }  // namespace mapbed
