@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/pose3.h"
+
 namespace mapbed {
 namespace {
 
