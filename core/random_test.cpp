@@ -27,7 +27,7 @@ TEST(Rng, StreamsOfOtherNamesAndNumbersDiffer) {
   EXPECT_NE(rng.stream("person", 1, 2).bits(), rng.stream("person", 2, 1).bits());
 }
 
-TEST(Rng, NormalsHaveMeanZeroAndSpreadOne) {
+TEST(Rng, NormalsHaveMeanZeroAndSigmaOne) {
   constexpr int n = 100'000;
   Rng rng(42);
   Moments found;

@@ -20,9 +20,9 @@ struct DriveModel {
   double track = 0.4;              // [m] between left and right wheels
   double wheel_base = 0.0;         // [m] between front and rear axle
   double friction = 0.7;           // Coulomb, wheel on floor
-  double surface_spread = 0.0;     // relative spread of sideways against lengthwise friction ...
+  double surface_spread = 0.0;     // relative sigma of sideways against lengthwise friction ...
   double surface_patch = 2.0;      // [m] ... drawn anew for every square patch of floor
-  double wheel_spread = 0.0;       // relative spread of a wheel's radius, drawn once a robot
+  double wheel_spread = 0.0;       // relative sigma of a wheel's radius, drawn once a robot
 };
 
 template <class Visitor>
@@ -38,10 +38,10 @@ void visit_fields(DriveModel& o, Visitor&& visit) {
   visit("wheel_base", o.wheel_base, Unit::meter, kNotNegative, "between front and rear axle");
   visit("friction", o.friction, kPositive, "wheel on floor (Coulomb)");
   visit("surface_spread", o.surface_spread, kNotNegative,
-        "relative spread of sideways against lengthwise friction from patch to patch of floor");
+        "relative sigma of sideways against lengthwise friction from patch to patch of floor");
   visit("surface_patch", o.surface_patch, Unit::meter, kPositive, "side of such a patch");
   visit("wheel_spread", o.wheel_spread, between(0.0, 0.1),
-        "relative spread of the wheels' radii, drawn once a robot");
+        "relative sigma of the wheels' radii, drawn once a robot");
 }
 
 }  // namespace mapbed

@@ -23,7 +23,7 @@ struct LaserNoise {
   double bias = 0.0;                    // [m] systematic error, added to every reading
   double step = 0.01;                   // [m] readings are whole multiples of this
   double dark_range = 10.0;             // [m] a 10 % reflector, met head on, is seen half the time
-  double dark_softness = 0.1;           // spread of that limit, as a share of it
+  double dark_softness = 0.1;           // sigma of that limit, as a fraction of it
   double miss_probability = 0.0001;     // a beam returns nothing for no reason
   double short_probability = 0.0001;    // something tiny in the way: dust, a fly, a reflection
   double random_probability = 0.00001;  // a reading anywhere in the measuring range
@@ -63,10 +63,10 @@ void visit_fields(LaserNoise& o, Visitor&& visit) {
   visit("step", o.step, Unit::meter, kNotNegative, "readings are multiples of this");
   visit("dark_range", o.dark_range, Unit::meter, kNotNegative,
         "a 10 % reflector met head on is seen half the time here; 0: everything is seen");
-  visit("dark_softness", o.dark_softness, kNotNegative, "relative spread of that limit");
-  visit("miss_probability", o.miss_probability, kShare, "a beam returns nothing");
-  visit("short_probability", o.short_probability, kShare, "a reading before the surface");
-  visit("random_probability", o.random_probability, kShare, "a reading anywhere");
+  visit("dark_softness", o.dark_softness, kNotNegative, "relative sigma of that limit");
+  visit("miss_probability", o.miss_probability, kFraction, "a beam returns nothing");
+  visit("short_probability", o.short_probability, kFraction, "a reading before the surface");
+  visit("random_probability", o.random_probability, kFraction, "a reading anywhere");
   visit("mixed_pixels", o.mixed_pixels, {"off", "weighted", "either", "pulse"},
         "what a beam on an edge returns");
   visit("pulse_length", o.pulse_length, Unit::meter, kNotNegative, "closer echoes merge into one");

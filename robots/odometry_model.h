@@ -18,12 +18,12 @@ struct OdometryModel {
   OdometrySource source = OdometrySource::wheels;
   double rate = 0.0;                  // [Hz] readings of their own; 0: only with each laser sweep
   double start_turn_bias = 0.0;       // [rad/m] added to alpha
-  double start_turn_per_meter = 0.0;  // [rad] spread after one metre
+  double start_turn_per_meter = 0.0;  // [rad] sigma after one metre
   double distance_bias = 0.0;         // relative error of d
-  double distance_per_meter = 0.0;    // [m] spread after one metre
+  double distance_per_meter = 0.0;    // [m] sigma after one metre
   double end_turn_bias = 0.0;         // relative error of the whole turn
-  double end_turn_per_meter = 0.0;    // [rad] spread after one metre
-  double end_turn_per_radian = 0.0;   // [rad] spread after turning by one radian
+  double end_turn_per_meter = 0.0;    // [rad] sigma after one metre
+  double end_turn_per_radian = 0.0;   // [rad] sigma after turning by one radian
   double translation_sigma = 0.0;     // [m] added to every reading's motion, x and y (Figure 3.10)
   double rotation_sigma = 0.0;        // [rad] added to every reading's turn (Figure 3.10)
 };
@@ -34,15 +34,15 @@ void visit_fields(OdometryModel& o, Visitor&& visit) {
   visit("rate", o.rate, Unit::hertz, kNotNegative, "own readings per second; 0: with each sweep");
   visit("start_turn_bias", o.start_turn_bias, Unit::radian_per_meter, "systematic start turn");
   visit("start_turn_per_meter", o.start_turn_per_meter, Unit::radian, kNotNegative,
-        "spread of the start turn after one metre");
+        "sigma of the start turn after one metre");
   visit("distance_bias", o.distance_bias, "relative systematic error of distances");
   visit("distance_per_meter", o.distance_per_meter, Unit::meter, kNotNegative,
-        "spread of the distance after one metre");
+        "sigma of the distance after one metre");
   visit("end_turn_bias", o.end_turn_bias, "relative systematic error of turns");
   visit("end_turn_per_meter", o.end_turn_per_meter, Unit::radian, kNotNegative,
-        "spread of the end turn after one metre");
+        "sigma of the end turn after one metre");
   visit("end_turn_per_radian", o.end_turn_per_radian, Unit::radian, kNotNegative,
-        "spread of the end turn after one radian");
+        "sigma of the end turn after one radian");
   visit("translation_sigma", o.translation_sigma, Unit::meter, kNotNegative,
         "Gaussian noise added to every reading's motion, along x and y");
   visit("rotation_sigma", o.rotation_sigma, Unit::radian, kNotNegative,

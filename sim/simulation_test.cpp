@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/statistics/moments.h"
 #include "sim/actors/crowd.h"
 #include "sim/drivers/scripted_driver.h"
 #include "sim/testing/small_world.h"
@@ -35,8 +36,8 @@ World two_rooms() {
                   .world_from_hinge = {5.0, 2.5, 1.5707963267948966},
                   .width = 1.0,
                   .opens_within = 1.5}};
-  world.crowd = {.pause_share = 0.0,
-                 .group_share = 0.0,
+  world.crowd = {.pause_fraction = 0.0,
+                 .group_fraction = 0.0,
                  .routes = {{.name = "through", .points = {{1.5, 3.0}, {8.5, 3.0}}}}};
   return world;
 }
@@ -112,12 +113,11 @@ TEST(Simulation, NobodyGetsIntoARobotThatDrives) {
 
 TEST(Simulation, WhoWalksAloneDoesSoAtHisDrawnSpeed) {
   World world = small_room(60.0, 6.0);
-  world.crowd = {.pause_share = 0.0,
-                 .group_share = 0.0,
+  world.crowd = {.pause_fraction = 0.0,
+                 .group_fraction = 0.0,
                  .routes = {{.name = "along", .points = {{1.0, 3.0}, {59.0, 3.0}}}}};
   constexpr int kWalkers = 100;
-  double sum = 0.0;
-  double squares = 0.0;
+  Moments speeds;
   for (std::uint64_t seed = 0; seed < kWalkers; ++seed) {
     const NavigationMap map(world, 0.02, 1.9);
     const Obstacle robot{.pose = {-50.0, 0.0, 0.0}, .radius = 0.3};
@@ -129,13 +129,10 @@ TEST(Simulation, WhoWalksAloneDoesSoAtHisDrawnSpeed) {
       crowd.step(0.01, {robot});
       speed = std::max(speed, crowd.person(0).body.velocity.norm());
     }
-    sum += speed;
-    squares += speed * speed;
+    speeds.add(speed);
   }
-  const double mean = sum / kWalkers;
-  const double spread = std::sqrt(squares / kWalkers - mean * mean);
-  EXPECT_NEAR(mean, 1.1, 5 * 0.1 / std::sqrt(kWalkers));
-  EXPECT_NEAR(spread, 0.1, 5 * 0.1 / std::sqrt(2.0 * kWalkers));
+  EXPECT_NEAR(speeds.mean(), 1.1, 5 * 0.1 / std::sqrt(kWalkers));
+  EXPECT_NEAR(speeds.sigma(), 0.1, 5 * 0.1 / std::sqrt(2.0 * kWalkers));
 }
 
 }  // namespace

@@ -54,10 +54,10 @@ struct StandingPlace {
 struct CrowdRules {
   int walkers = 0;
   int standing = 0;
-  int blockers = 0;          // step in the robot's way on purpose
-  double pause_share = 0.3;  // probability to pause at a point of the route
-  double mean_pause = 5.0;   // [s] exponential
-  double group_share = 0.2;  // share of walkers who walk in pairs
+  int blockers = 0;             // step in the robot's way on purpose
+  double pause_fraction = 0.3;  // probability to pause at a point of the route
+  double mean_pause = 5.0;      // [s] exponential
+  double group_fraction = 0.2;  // fraction of walkers who walk in pairs
   std::vector<CrowdRoute> routes = {};
   std::vector<StandingPlace> places = {};
 };

@@ -97,9 +97,9 @@ TEST(Worlds, HavePathsAsLongAsTheThesisSays) {
   EXPECT_NEAR(length_of(corridor), 74.0, 0.2);  // Figure 4.5
 }
 
-TEST(Worlds, ThePathRoundsGoesOnByAShareOfARound) {
-  const auto rounds = [](const std::string& share) {
-    const Settings settings{parse_setting("rounds=2"), parse_setting("last_round=" + share)};
+TEST(Worlds, ThePathRoundsGoesOnByAFractionOfARound) {
+  const auto rounds = [](const std::string& fraction) {
+    const Settings settings{parse_setting("rounds=2"), parse_setting("last_round=" + fraction)};
     return length_of(path_by_name(build_world("loop_corridor", settings), "rounds"));
   };
   EXPECT_NEAR(rounds("0.3"), 2.3 / 2.0 * rounds("0"), 1e-9);

@@ -33,7 +33,7 @@ void visit_fields(LikelihoodFieldOptions& o, Visitor&& visit) {
 struct FieldPoints {
   std::vector<float> x;
   std::vector<float> y;
-  std::vector<float> weights;  // in (0, 1]: how much each counts; empty: all count fully
+  std::vector<float> weights;  // in [0, 1]: how much each counts; empty: all count fully
   std::size_t size() const { return x.size(); }
   double total_weight() const;
 };

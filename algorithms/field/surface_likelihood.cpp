@@ -67,6 +67,7 @@ ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions
       std::max<std::size_t>(1, scan.ranges.size() / static_cast<std::size_t>(points.max_points));
   for (std::size_t beam = 0; beam < scan.ranges.size(); beam += every) {
     if (!scan.is_max_range(beam)) continue;
+    if (!beam_weights.empty()) result.free_weights.push_back(beam_weights[beam]);
     const double bearing = scan.bearing(beam);
     result.free.push_back(scan.robot_from_laser.planar *
                           Eigen::Vector2d(end * std::cos(bearing), end * std::sin(bearing)));
@@ -77,16 +78,18 @@ ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions
 SurfaceLikelihood::SurfaceLikelihood(const SurfaceLikelihoodOptions& options)
     : options_(options), mixture_(options.sigma, options.inlier_ratio, kReach, kMixtureSteps) {}
 
-double SurfaceLikelihood::sum_of_free(const std::vector<Eigen::Vector2d>& free,
-                                      const SurfaceMap& map, const Pose2& map_from_robot) const {
+double SurfaceLikelihood::sum_of_free(const ScanForWeighting& scan, const SurfaceMap& map,
+                                      const Pose2& map_from_robot) const {
   const auto reach = static_cast<float>(map.resolution() * map.resolution());
   SurfaceMap::Reader reader(map);
   double sum = 0.0;
-  for (const Eigen::Vector2d& point : free) {
-    const Eigen::Vector2d at = map_from_robot * point;
+  for (std::size_t i = 0; i < scan.free.size(); ++i) {
+    const Eigen::Vector2d at = map_from_robot * scan.free[i];
     const SurfaceMap::Nearest nearest = reader.nearest(at.x(), at.y());
     const float squared = nearest.off_x * nearest.off_x + nearest.off_y * nearest.off_y;
-    if (nearest.found && squared < reach) sum += mixture_.outlier_log();
+    if (!nearest.found || squared >= reach) continue;
+    const double weight = scan.free_weights.empty() ? 1.0 : double{scan.free_weights[i]};
+    sum += weight * mixture_.outlier_log();
   }
   return sum;
 }
@@ -118,7 +121,7 @@ double SurfaceLikelihood::sum_of_hits(const ScanForWeighting& scan, const Surfac
 double SurfaceLikelihood::log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
                                          const Pose2& map_from_robot) const {
   return options_.beam_weight *
-         (sum_of_hits(scan, map, map_from_robot) + sum_of_free(scan.free, map, map_from_robot));
+         (sum_of_hits(scan, map, map_from_robot) + sum_of_free(scan, map, map_from_robot));
 }
 
 double SurfaceLikelihood::inlier_ratio(const ScanForWeighting& scan, const SurfaceMap& map,
@@ -218,7 +221,7 @@ LocalPosterior SurfaceLikelihood::local_posterior(const Pose2& start, const Scan
   if (!converged) sum = sum_of_hits(scan, map, result.mode);
   result.covariance = information.inverse();
   result.log_evidence =
-      options_.beam_weight * (sum + sum_of_free(scan.free, map, result.mode)) +
+      options_.beam_weight * (sum + sum_of_free(scan, map, result.mode)) +
       options_.beam_weight / options_.proposal_weight *
           (prior.log_at(result.mode) + 0.5 * std::log(result.covariance.determinant()));
   return result;

@@ -46,8 +46,9 @@ void visit_fields(SurfaceLikelihoodOptions& o, Visitor&& visit) {
 // What of a scan weights a particle, in the robot frame [m].
 struct ScanForWeighting {
   std::vector<Eigen::Vector2d> hits;
-  std::vector<float> hit_weights;     // in (0, 1]: how much each counts; empty: all count fully
+  std::vector<float> hit_weights;     // in [0, 1]: how much each counts; empty: all count fully
   std::vector<Eigen::Vector2d> free;  // shortly before the ends of maximum-range beams
+  std::vector<float> free_weights;    // as hit_weights
   std::vector<SurfacePoint> surface;  // what enters the map
 };
 ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions& points,
@@ -98,7 +99,7 @@ class SurfaceLikelihood {
                       const Pose2& map_from_robot) const;
   double sum_of_hits(const ScanForWeighting& scan, const SurfaceMap& map,
                      const Pose2& map_from_robot) const;
-  double sum_of_free(const std::vector<Eigen::Vector2d>& free, const SurfaceMap& map,
+  double sum_of_free(const ScanForWeighting& scan, const SurfaceMap& map,
                      const Pose2& map_from_robot) const;
 
   SurfaceLikelihoodOptions options_;

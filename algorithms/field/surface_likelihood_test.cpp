@@ -82,10 +82,81 @@ TEST(SurfaceLikelihood, WhatAMissingReturnPassedThroughMustBeFree) {
   EXPECT_EQ(log_likelihood({8.0 - scan.max_range, 0.0, 0.0}), 0.0);
 }
 
+// Weights of beams, in a room of which two beams see nothing: these must pass through what is free.
+class BeamWeights : public ::testing::Test {
+ protected:
+  static LaserScan seen() {
+    LaserScan scan = scan_of(rectangular_room(6.0, 4.0), {0.3, 0.2, 0.4});
+    scan.max_range = 8.0;
+    for (const std::size_t beam : {10, 40}) scan.ranges[beam] = 8.0;
+    return scan;
+  }
+  ScanForWeighting weighted(const LaserScan& scan, const std::vector<float>& weights = {}) const {
+    return scan_for_weighting(scan, points_, {}, kResolution, weights);
+  }
+
+  // Something stands where the two beams end.
+  static SurfaceMap map() {
+    SurfaceMap map = map_of(rectangular_room(6.0, 4.0));
+    const LaserScan scan = seen();
+    for (const std::size_t beam : {10, 40}) {
+      const double bearing = scan.bearing(beam);
+      map.add({{7.8 * Eigen::Vector2d(std::cos(bearing), std::sin(bearing))}}, {0.3, 0.2, 0.4});
+    }
+    return map;
+  }
+
+  const HitPointOptions points_{.min_spacing = 0.01, .max_points = 10'000};
+  const Pose2 pose_ = Pose2{0.3, 0.2, 0.4} * Pose2{0.05, -0.03, 0.02};
+  const SurfaceMap map_ = map();
+  const SurfaceLikelihood likelihood_;
+};
+
+TEST_F(BeamWeights, OfAHalfCountHalf) {
+  const LaserScan scan = seen();
+  const std::vector<float> halves(scan.ranges.size(), 0.5F);
+  const double whole = likelihood_.log_likelihood(weighted(scan), map_, {0.3, 0.2, 0.4});
+  EXPECT_LT(whole, 0.1 * 1.9 * std::log(0.15)) << "both beams without a return contradict the map";
+  for (const Pose2& pose : {Pose2{0.3, 0.2, 0.4}, pose_}) {
+    EXPECT_NEAR(likelihood_.log_likelihood(weighted(scan, halves), map_, pose),
+                0.5 * likelihood_.log_likelihood(weighted(scan), map_, pose), 1e-9);
+    EXPECT_NEAR(likelihood_.inlier_ratio(weighted(scan, halves), map_, pose),
+                likelihood_.inlier_ratio(weighted(scan), map_, pose), 1e-9);
+  }
+}
+
+TEST_F(BeamWeights, TwoHalvesAtOnePlaceCountAsOne) {
+  const ScanForWeighting whole = weighted(seen());
+  ScanForWeighting halves{.surface = whole.surface};
+  for (const Eigen::Vector2d& hit : whole.hits) halves.hits.insert(halves.hits.end(), {hit, hit});
+  for (const Eigen::Vector2d& end : whole.free) halves.free.insert(halves.free.end(), {end, end});
+  halves.hit_weights.assign(halves.hits.size(), 0.5F);
+  halves.free_weights.assign(halves.free.size(), 0.5F);
+  EXPECT_NEAR(likelihood_.log_likelihood(halves, map_, pose_),
+              likelihood_.log_likelihood(whole, map_, pose_), 1e-9);
+  const PosePrior prior = independent_prior(pose_, 0.05, 0.05, 0.03);
+  const LocalPosterior of_whole = likelihood_.local_posterior(pose_, whole, map_, prior);
+  const LocalPosterior of_halves = likelihood_.local_posterior(pose_, halves, map_, prior);
+  EXPECT_THAT(of_halves.mode, IsNear(of_whole.mode, Tolerance{1e-4, 1e-4}));
+  EXPECT_NEAR(of_halves.log_evidence, of_whole.log_evidence, 1e-3);  // sums of floats
+}
+
+TEST_F(BeamWeights, OfNothingAreAsABeamThatIsNotThere) {
+  const LaserScan scan = seen();
+  LaserScan without = scan;
+  std::vector<float> weights(scan.ranges.size(), 1.0F);
+  for (std::size_t beam = 8; beam < 20; ++beam) {
+    weights[beam] = 0.0F;
+    without.ranges[beam] = 0.0;  // failed
+  }
+  EXPECT_NEAR(likelihood_.log_likelihood(weighted(scan, weights), map_, pose_),
+              likelihood_.log_likelihood(weighted(without), map_, pose_), 1e-9);
+}
+
 // The posterior that is drawn from, against sums over a lattice of poses (Grisetti et al. 2007).
 class LocalPosteriorOf : public ::testing::TestWithParam<Pose2> {};
 
-TEST_P(LocalPosteriorOf, AScanHasModeSpreadAndEvidenceOfTheWholeDensity) {
+TEST_P(LocalPosteriorOf, AScanHasModeCovarianceAndEvidenceOfTheWholeDensity) {
   const TestRoom room = rectangular_room(6.0, 4.0);
   const SurfaceMap map = map_of(room);
   const Pose2 truth{0.4, -0.3, 0.2};

@@ -22,7 +22,7 @@ template <class Visitor>
 void visit_fields(BeamLikelihoodOptions& o, Visitor&& visit) {
   visit("length_weighted", o.length_weighted,
         "a cell counts with the length of the beam in it, and not just once");
-  visit("unknown", o.unknown, kShare, "fraction of beams that an unknown cell reflects");
+  visit("unknown", o.unknown, kFraction, "fraction of beams that an unknown cell reflects");
   visit("least_m", o.least_m, between(1e-12, 0.5),
         "a cell reflects at least this fraction of beams, and lets at least this fraction through");
   visit("beams", o.beams, "which beams are used, and how far");

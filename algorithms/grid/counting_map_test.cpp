@@ -26,7 +26,7 @@ TEST(CountingMap, ABeamWithoutReflectionClearsItsPathAndSaysNothingOfItsLastCell
   EXPECT_EQ(drawing_of(map.occupancy(), kRow), "....    |");
 }
 
-TEST(CountingMap, HoldsTheShareOfBeamsThatACellReflects) {  // (2.15): 70 of 100 looks
+TEST(CountingMap, HoldsTheFractionOfBeamsThatACellReflects) {  // (2.15): 70 of 100 looks
   CountingMap map = empty_map(/*resolution=*/1.0);
   for (int i = 0; i < 100; ++i) map.insert({{0.5, 0.5}, {i < 70 ? 2.5 : 3.5, 0.5}});
   EXPECT_EQ(map.occupancy()[(CellIndex{2, 0})].probability, 0.7F);

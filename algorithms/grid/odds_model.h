@@ -15,12 +15,14 @@ struct OddsModel {
 
 template <class Visitor>
 void visit_fields(OddsModel& o, Visitor&& visit) {
-  visit("p_occ", o.p_occ, kShare,
+  visit("p_occ", o.p_occ, kFraction,
         "probability that a cell is occupied, given that a beam ended there");
-  visit("p_free", o.p_free, kShare, "the same, given that a beam went through it");
-  visit("prior", o.prior, kShare, "the same, before anything was seen");
-  visit("lowest", o.lowest, kShare, "bound that a cell's probability cannot fall below; 0: none");
-  visit("highest", o.highest, kShare, "bound that a cell's probability cannot rise above; 1: none");
+  visit("p_free", o.p_free, kFraction, "the same, given that a beam went through it");
+  visit("prior", o.prior, kFraction, "the same, before anything was seen");
+  visit("lowest", o.lowest, kFraction,
+        "bound that a cell's probability cannot fall below; 0: none");
+  visit("highest", o.highest, kFraction,
+        "bound that a cell's probability cannot rise above; 1: none");
 }
 
 // Throws InputError unless 0 < p_free < prior < p_occ < 1 and lowest < prior < highest.

@@ -39,7 +39,7 @@ double clipped_length(const Vector2d& start, const Vector2d& end, CellIndex cell
                       const GridFrame& frame) {
   const Vector2d low = frame.corner_of(cell);
   const Vector2d high = frame.corner_of({cell.x + 1, cell.y + 1});
-  double first = 0.0, last = 1.0;  // shares of the line
+  double first = 0.0, last = 1.0;  // fractions of the line
   for (int axis = 0; axis < 2; ++axis) {
     const double way = end[axis] - start[axis];
     if (way == 0.0) {

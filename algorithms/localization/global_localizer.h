@@ -30,7 +30,7 @@ template <class Visitor>
 void visit_fields(RelocalizationOptions& o, Visitor&& visit) {
   visit("max_updates", o.max_updates, at_least(0),
         "updates after an interruption in which the whole map is searched; 0: none");
-  visit("min_inlier_ratio", o.min_inlier_ratio, kShare,
+  visit("min_inlier_ratio", o.min_inlier_ratio, kFraction,
         "fraction of them that the map explains there");
   visit("min_odds", o.min_odds, at_least(1.0), "odds of the place found to any other one");
 }

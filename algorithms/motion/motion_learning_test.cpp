@@ -34,7 +34,7 @@ std::vector<MotionSample> samples_of(const MotionModelOptions& model, int count)
   return samples;
 }
 
-TEST(MotionLearning, FindsTheSpreadsThatTheMotionsWereDrawnFrom) {
+TEST(MotionLearning, FindsTheSigmasThatTheMotionsWereDrawnFrom) {
   const MotionModelOptions learned = learned_motion_model(samples_of(kTruth, 6000));
   // A sigma from n errors has a relative standard error of 1 / sqrt(2 n): 1.6 % of the 2000
   // motions of one kind; four of these, and as much again for the error being shared with floors.
@@ -46,7 +46,7 @@ TEST(MotionLearning, FindsTheSpreadsThatTheMotionsWereDrawnFrom) {
               0.15 * kTruth.translation_per_meter);
 }
 
-TEST(MotionLearning, NoOtherSpreadIsLikelier) {
+TEST(MotionLearning, NoOtherSigmaIsLikelier) {
   const auto samples = samples_of(kTruth, 600);
   const MotionModelOptions learned = learned_motion_model(samples);
   const double best = mean_log_likelihood(samples, learned);

@@ -24,7 +24,7 @@ TEST(MotionModel, WithoutErrorsGivesTheMeasuredMotion) {
 }
 
 // The Gaussian used by searches has the moments of the samples, to first order in the errors.
-TEST(MotionModel, TheGaussianHasTheSpreadOfTheSamples) {
+TEST(MotionModel, TheGaussianHasTheCovarianceOfTheSamples) {
   const MotionModelOptions options{
       .rotation_per_rotation = 0.05, .rotation_per_meter = 0.03, .translation_per_meter = 0.05};
   const Pose2 motion{1.0, 0.2, 0.4};

@@ -49,7 +49,7 @@ void visit_fields(GridSlamOptions& o, Visitor&& visit) {
   visit("resampling", o.resampling, {"never", "always", "selective"},
         "when particles are drawn anew");
   visit(
-      "resample_below", o.resample_below, kShare,
+      "resample_below", o.resample_below, kFraction,
       "effective number of particles, as a fraction, below which selective resampling draws anew");
   visit("map_resolution", o.map_resolution, Unit::meter, between(0.01, 2.0),
         "cells of the particles' maps");

@@ -27,7 +27,7 @@ void visit_fields(InputDiagnosticsOptions& o, Visitor&& visit) {
   visit("max_turn_rate", o.max_turn_rate, Unit::radian_per_second, kPositive,
         "odometry that turns faster has jumped");
   visit("max_pause", o.max_pause, Unit::second, kPositive, "longer ones between scans are told");
-  visit("lost_below", o.lost_below, kShare,
+  visit("lost_below", o.lost_below, kFraction,
         "fraction of an update's scan that the best map explains where the robot is lost, at most");
 }
 

@@ -21,7 +21,7 @@ void visit_fields(LoopClosingOptions& o, Visitor&& visit) {
   visit("distance", o.distance, Unit::meter, kPositive, "from an earlier pose: the robot is back");
   visit("path_between", o.path_between, Unit::meter, kPositive,
         "path driven since that pose at least");
-  visit("min_inlier_ratio", o.min_inlier_ratio, kShare,
+  visit("min_inlier_ratio", o.min_inlier_ratio, kFraction,
         "fraction of the scan that the map explains before the robot is sure");
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kMaxArcs = 10.0;
 constexpr double kLineReach = 0.2;  // [m] of the hits that make a line, to either side
 constexpr double kLineFlatness =
-    0.03;  // a line's spread across it, as a fraction of that along it, at most
+    0.03;  // a line's sigma across it, as a fraction of that along it, at most
 
 constexpr double kSameDirection = 0.985;  // cos(10 deg): at twice the angle, so within 5 degrees
 
@@ -46,7 +46,7 @@ std::vector<Eigen::Vector2d> doubled_directions(const std::vector<Eigen::Vector2
       xy += d.x() * d.y();
       yy += d.y() * d.y();
     }
-    // The spread's larger and smaller principal value are (xx + yy ± split) / 2, along half the
+    // The covariance's larger and smaller principal value are (xx + yy ± split) / 2, along half the
     // angle of (xx - yy, 2 xy).
     const Eigen::Vector2d doubled(xx - yy, 2.0 * xy);
     const double split = doubled.norm();

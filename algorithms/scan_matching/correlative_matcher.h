@@ -29,7 +29,7 @@ void visit_fields(CorrelativeMatcherOptions& o, Visitor&& visit) {
   visit("turn_window", o.turn_window, Unit::radian, kNotNegative, "turns of up to this");
   visit("turn_step", o.turn_step, Unit::radian, kNotNegative,
         "between tried turns; 0: far points move by one cell");
-  visit("min_inlier_ratio", o.min_inlier_ratio, kShare,
+  visit("min_inlier_ratio", o.min_inlier_ratio, kFraction,
         "fraction of the scan that a trusted match explains");
 }
 

@@ -32,7 +32,7 @@ void visit_fields(IcpMatcherOptions& o, Visitor&& visit) {
   visit("sigma", o.sigma, Unit::meter, kPositive, "sigma of points about their lines");
   visit("last_step", o.last_step, Unit::meter, kPositive,
         "the iteration ends with a smaller step [m, rad]");
-  visit("min_paired", o.min_paired, kShare, "fraction of the points that a trusted match pairs");
+  visit("min_paired", o.min_paired, kFraction, "fraction of the points that a trusted match pairs");
 }
 
 // Map points with the normals of the lines through them, and a tree to find the nearest.

@@ -41,7 +41,7 @@ void visit_fields(IncrementalMatcherOptions& o, Visitor&& visit) {
   visit("alignment", o.alignment, {"hill_climbing", "correlative", "icp"},
         "how a scan is aligned with the local map");
   visit("use_odometry", o.use_odometry, "false: predict from the last motion alone");
-  visit("search_below", o.search_below, kShare,
+  visit("search_below", o.search_below, kFraction,
         "hill climbing that explains a smaller fraction of the scan is checked by a search");
   visit("points", o.points, "which points of a scan are matched");
   visit("local_map", o.local_map, "which past scans are matched against");

@@ -29,7 +29,7 @@ void visit_fields(ScanMatcherOptions& o, Visitor&& visit) {
         "Gauss-Newton iterations at the end");
   visit("turn_per_meter", o.turn_per_meter, Unit::radian_per_meter, kPositive,
         "size of turns beside that of steps");
-  visit("min_inlier_ratio", o.min_inlier_ratio, kShare,
+  visit("min_inlier_ratio", o.min_inlier_ratio, kFraction,
         "fraction of the scan that a trusted match explains");
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -15,6 +14,7 @@
 #include "bench/cli/output_folder.h"
 #include "bench/cli/progress.h"
 #include "bench/process/process_cost.h"
+#include "bench/process/stopwatch.h"
 #include "bench/process/thread_limit.h"
 #include "core/data_path.h"
 #include "core/input_error.h"
@@ -24,7 +24,6 @@ namespace mapbed {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 struct MapArguments {
   std::string log;
@@ -122,8 +121,7 @@ void print_result(const MapRun& run, const std::string& folder, double total) {
 int map_log(const MapArguments& arguments) {
   const InterruptGuard interrupt;
   const ThreadLimit threads(arguments.threads);
-  const Clock::time_point start = Clock::now();
-  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const Stopwatch stopwatch;
   const Settings settings = settings_from(arguments);
   map_config_from(settings);  // wrong options are told before a log is looked for
   const ChosenLog chosen = chosen_log(arguments.log);
@@ -131,7 +129,7 @@ int map_log(const MapArguments& arguments) {
   const std::string folder =
       arguments.folder.empty() ? name_of_log(arguments.log) + "_map" : arguments.folder;
   const RecordedLog log = load_log(chosen.path, config.log);
-  print_log(arguments.log, log, elapsed());
+  print_log(arguments.log, log, stopwatch.seconds());
   make_output_folder(folder);
 
   MapRun run = [&] {
@@ -146,7 +144,7 @@ int map_log(const MapArguments& arguments) {
     return kInterrupted;
   }
   write_map_run(folder, arguments.log, log, run);
-  print_result(run, folder, elapsed());
+  print_result(run, folder, stopwatch.seconds());
   if (run.complete()) return kDone;
   fmt::print(stderr, "mapbed: interrupted after {} of {} scans; {} holds the map of these\n",
              run.estimate.trajectory.size(), run.scans_in_log, folder);

@@ -19,7 +19,7 @@ namespace mapbed {
 //   map:            # how the map is made of scans and poses
 //     resolution: 5 cm
 //   scan_matching:  # the method's own options, under its name
-//     first_step: 10 cm
+//     climb.first_step: 10 cm
 struct MapConfig {
   std::string method = "scan_matching";
   std::uint64_t seed = 1;

@@ -1,7 +1,6 @@
 #include "bench/cli/map_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "algorithms/grid/map_image.h"
 #include "bench/plot/map_picture.h"
 #include "bench/process/process_cost.h"
+#include "bench/process/stopwatch.h"
 #include "bench/process/version.h"
 #include "core/file/atomic_file.h"
 #include "core/geometry/tum_file.h"
@@ -19,12 +19,6 @@
 
 namespace mapbed {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 int count_scans(const SensorLog& log) {
   return static_cast<int>(std::count_if(log.begin(), log.end(), [](const Measurement& m) {
@@ -35,15 +29,15 @@ int count_scans(const SensorLog& log) {
 // How many of the log's measurements the estimator has taken in.
 std::size_t feed(Estimator& estimator, const SensorLog& log, MapCost& cost,
                  const std::function<bool(std::size_t, std::size_t)>& may_go_on) {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch all;
   std::size_t done = 0;
   while (done < log.size()) {
-    const Clock::time_point before = Clock::now();
+    const Stopwatch one;
     estimator.add(log[done]);
-    cost.longest_scan = std::max(cost.longest_scan, seconds_since(before));
+    cost.longest_scan = std::max(cost.longest_scan, one.seconds());
     if (!may_go_on(++done, log.size())) break;
   }
-  cost.estimating = seconds_since(start);
+  cost.estimating = all.seconds();
   return done;
 }
 
@@ -107,7 +101,7 @@ MapRun make_map(const RecordedLog& log, const MapConfig& config,
   estimator->finish();
   Estimate estimate = estimator->estimate();
 
-  const Clock::time_point start = Clock::now();
+  const Stopwatch mapping;
   const auto part_of_log = [&] {
     const auto end = log.measurements.begin() + static_cast<std::ptrdiff_t>(taken);
     return SensorLog(log.measurements.begin(), end);
@@ -115,7 +109,7 @@ MapRun make_map(const RecordedLog& log, const MapConfig& config,
   const bool whole = taken == log.measurements.size();
   OccupancyMap map = whole ? map_of(log.measurements, estimate.trajectory, config.map)
                            : map_of(part_of_log(), estimate.trajectory, config.map);
-  cost.mapping = seconds_since(start);
+  cost.mapping = mapping.seconds();
   cost.scans = static_cast<int>(estimate.trajectory.size());
   if (cost.scans > 0) {
     cost.seconds_recorded = estimate.trajectory.back().time - estimate.trajectory.front().time;

@@ -18,22 +18,18 @@ std::string duration_text(double seconds) {
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-double seconds_between(std::chrono::steady_clock::time_point a,
-                       std::chrono::steady_clock::time_point b) {
-  return std::chrono::duration<double>(b - a).count();
-}
-
 }  // namespace
 
 std::string progress_line(const std::string& job, std::size_t done, std::size_t total,
                           double elapsed_seconds, bool with_bar) {
-  const double share =
+  const double fraction =
       total == 0 ? 1.0 : std::min(1.0, static_cast<double>(done) / static_cast<double>(total));
-  const int percent = static_cast<int>(100.0 * share);  // 100 only when it is done
+  const int percent = static_cast<int>(100.0 * fraction);  // 100 only when it is done
   const std::string left =
-      share > 0.0 ? ", " + duration_text(elapsed_seconds * (1.0 - share) / share) + " left" : "";
+      fraction > 0.0 ? ", " + duration_text(elapsed_seconds * (1.0 - fraction) / fraction) + " left"
+                     : "";
   if (!with_bar) return fmt::format("{}: {} of {}, {} %{}", job, done, total, percent, left);
-  const auto filled = static_cast<std::size_t>(share * kBarLength);
+  const auto filled = static_cast<std::size_t>(fraction * kBarLength);
   return fmt::format("{} [{}{}] {:3} %{}", job, std::string(filled, '#'),
                      std::string(kBarLength - filled, '.'), percent, left);
 }
@@ -46,13 +42,12 @@ Progress::~Progress() {
 }
 
 void Progress::advance_to(std::size_t done) {
-  const Clock::time_point now = Clock::now();
+  const double now = since_start_.seconds();
   const double pause = terminal_ ? 0.1 : 10.0;  // [s]
-  if (seconds_between(last_, now) < pause) return;
+  if (now - last_ < pause) return;
   last_ = now;
   drawn_ = true;
-  const std::string line =
-      progress_line(job_, done, total_, seconds_between(start_, now), terminal_);
+  const std::string line = progress_line(job_, done, total_, now, terminal_);
   if (terminal_) {
     fmt::print(stderr, "\r{}\033[K", line);
     std::fflush(stderr);

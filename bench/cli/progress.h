@@ -1,8 +1,9 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <string>
+
+#include "bench/process/stopwatch.h"
 
 namespace mapbed {
 
@@ -23,14 +24,12 @@ class Progress {
   void advance_to(std::size_t done);
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   std::string job_;
   std::size_t total_;
   bool terminal_;
   bool drawn_ = false;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
+  Stopwatch since_start_;
+  double last_ = 0.0;  // [s] since then
 };
 
 }  // namespace mapbed

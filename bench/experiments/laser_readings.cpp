@@ -88,7 +88,7 @@ std::vector<double> simulated_readings(const LaserTarget& target, const LaserMod
   Rng places = rng.stream("places");
   for (AimedBeam& beam : beams) {
     beam.index = static_cast<int>(std::lround(ahead));
-    beam.world_from_robot.y = places.uniform(-target.spread, target.spread);
+    beam.world_from_robot.y = places.uniform(-target.half_width, target.half_width);
   }
   const Scene scene(world_of(target));
   IdealScan ideal;
@@ -103,9 +103,9 @@ std::vector<double> simulated_readings(const LaserTarget& target, const LaserMod
 
 struct Comparison {
   LaserModel laser;
-  ReadingShares specified;
-  ReadingShares disc;  // of an evenly lit disc, without the simulator's few sub-rays
-  ReadingShares found;
+  ReadingFractions specified;
+  ReadingFractions disc;  // of an evenly lit disc, without the simulator's few sub-rays
+  ReadingFractions found;
   int readings = 0;
 };
 
@@ -115,8 +115,8 @@ Comparison compare(const LaserReadingsOptions& o, const LaserTarget& target, con
   Comparison c;
   c.laser = o.laser;
   c.readings = o.readings;
-  c.specified = specified_shares(target, c.laser, spot_model_of(c.laser));
-  c.disc = specified_shares(target, c.laser, {kFineSubRays, false}, kFinePlaces);
+  c.specified = specified_fractions(target, c.laser, spot_model_of(c.laser));
+  c.disc = specified_fractions(target, c.laser, {kFineSubRays, false}, kFinePlaces);
   c.found.assign(c.specified.size(), 0.0);
   for (const double reading : simulated_readings(target, c.laser, o.readings, rng)) {
     c.found[reading_index(reading, c.laser)] += 1.0 / o.readings;
@@ -125,7 +125,7 @@ Comparison compare(const LaserReadingsOptions& o, const LaserTarget& target, con
 }
 
 // Largest difference of two cumulative distributions.
-double distance_of(const ReadingShares& a, const ReadingShares& b) {
+double distance_of(const ReadingFractions& a, const ReadingFractions& b) {
   double sum = 0.0;
   double largest = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -135,44 +135,44 @@ double distance_of(const ReadingShares& a, const ReadingShares& b) {
   return largest;
 }
 
-std::vector<double> times(const ReadingShares& shares, double factor) {
-  std::vector<double> counts(shares);
+std::vector<double> times(const ReadingFractions& fractions, double factor) {
+  std::vector<double> counts(fractions);
   for (double& count : counts) count *= factor;
   return counts;
 }
 
 // Where all but the rare readings lie, and a little more.
-std::pair<std::size_t, std::size_t> window_of(const ReadingShares& shares) {
+std::pair<std::size_t, std::size_t> window_of(const ReadingFractions& fractions) {
   constexpr double kRare = 2e-5;  // a cell
   constexpr std::size_t kMargin = 6;
-  std::size_t first = shares.size();
+  std::size_t first = fractions.size();
   std::size_t last = 0;
-  for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
-    if (shares[k] < kRare) continue;
+  for (std::size_t k = 0; k + 1 < fractions.size(); ++k) {
+    if (fractions[k] < kRare) continue;
     first = std::min(first, k);
     last = k;
   }
-  return {first > kMargin ? first - kMargin : 0, std::min(last + kMargin, shares.size() - 2)};
+  return {first > kMargin ? first - kMargin : 0, std::min(last + kMargin, fractions.size() - 2)};
 }
 
 // A value for each reading of the window.
-PlotSeries series_of(const std::string& name, const ReadingShares& shares, const Comparison& c,
-                     Mark mark) {
+PlotSeries series_of(const std::string& name, const ReadingFractions& fractions,
+                     const Comparison& c, Mark mark) {
   PlotSeries series{.name = name, .mark = mark};
   const auto [first, last] = window_of(c.specified);
   for (std::size_t k = first; k <= last; ++k) {
     series.x.push_back(static_cast<double>(k) * c.laser.noise.step);
-    series.y.push_back(shares[k]);
+    series.y.push_back(fractions[k]);
   }
   return series;
 }
 
-// Points with the 95 % interval of a share of so many readings.
+// Points with the 95 % interval of a fraction of so many readings.
 void add_intervals(PlotSeries& series, double readings) {
-  for (const double share : series.y) {
-    const double half = 1.96 * std::sqrt(share * (1.0 - share) / readings);
-    series.low.push_back(std::max(0.0, share - half));
-    series.high.push_back(std::min(1.0, share + half));
+  for (const double fraction : series.y) {
+    const double half = 1.96 * std::sqrt(fraction * (1.0 - fraction) / readings);
+    series.low.push_back(std::max(0.0, fraction - half));
+    series.high.push_back(std::min(1.0, fraction + half));
   }
 }
 
@@ -208,7 +208,7 @@ Plot histogram_of(const LaserReadingsOptions& o, const Comparison& c) {
                             o.sensor, mixing[static_cast<std::size_t>(o.mixed_pixels)], o.readings,
                             1000.0 * c.laser.noise.step, c.found.back(), c.specified.back()),
             .x = {.label = "reading", .unit = "m"},
-            .y = {.label = "share of the readings", .unit = "", .low = 0.0}};
+            .y = {.label = "fraction of the readings", .unit = "", .low = 0.0}};
   plot.series.push_back(series_of("simulated", c.found, c, Mark::bars));
   plot.series.push_back(series_of("specified", c.specified, c, Mark::line));
   if (distance_of(c.specified, c.disc) > 0.01) {
@@ -230,10 +230,10 @@ RunOutcome run_histogram(const LaserReadingsOptions& o, const RunInput& input) {
   return outcome;
 }
 
-// Of readings, the share that came back from the pane and not from behind it.
-double pane_share(const ReadingShares& shares, double border, double step) {
+// Of readings, the fraction that came back from the pane and not from behind it.
+double pane_fraction(const ReadingFractions& fractions, double border, double step) {
   const auto end = static_cast<std::ptrdiff_t>(std::lround(border / step));
-  return std::accumulate(shares.begin(), shares.begin() + end, 0.0);
+  return std::accumulate(fractions.begin(), fractions.begin() + end, 0.0);
 }
 
 // A pane met at one angle after the other: how often does it answer?
@@ -249,8 +249,8 @@ RunOutcome run_by_angle(LaserReadingsOptions o, const RunInput& input) {
     const double border = o.distance + o.gap / 2.0;
     specified.x.push_back(angles[i]);
     found.x.push_back(angles[i]);
-    specified.y.push_back(pane_share(c.specified, border, c.laser.noise.step));
-    found.y.push_back(pane_share(c.found, border, c.laser.noise.step));
+    specified.y.push_back(pane_fraction(c.specified, border, c.laser.noise.step));
+    found.y.push_back(pane_fraction(c.found, border, c.laser.noise.step));
     const double p = specified.y.back();
     const double off = found.y.back() - p;
     squares += off * off * o.readings / (p * (1.0 - p));
@@ -265,7 +265,7 @@ RunOutcome run_by_angle(LaserReadingsOptions o, const RunInput& input) {
       .title = "How often a pane of glass answers",
       .subtitle = fmt::format("{} readings at each angle, one run, 95 % intervals", o.readings),
       .x = {.label = "angle between beam and normal", .unit = "deg"},
-      .y = {.label = "share of the readings from the pane", .unit = "", .low = 0.0, .high = 1.0},
+      .y = {.label = "fraction of the readings from the pane", .unit = "", .low = 0.0, .high = 1.0},
       .series = {specified, found}};
   outcome.files = figure_files("answers", plot);
   return outcome;
@@ -294,7 +294,7 @@ Experiment laser_readings_experiment() {
       {{"chi_square_score", Unit::none,
         "misfit of the readings' histogram; standard normal where they are as specified"},
        {"classes", Unit::none, "that the histogram has for it"},
-       {"unseen", Unit::none, "share of readings that saw nothing"},
+       {"unseen", Unit::none, "fraction of readings that saw nothing"},
        {"unseen_specified", Unit::none, "what it should be"},
        {"spot_error", Unit::none,
         "largest difference of the cumulative specification from that of an evenly lit disc: what "

@@ -49,7 +49,7 @@ void visit_fields(MatchingBasinOptions& o, Visitor&& visit) {
         "a match that is at most this far off is a success");
   visit("success_turn", o.success_turn, Unit::radian, kPositive, "the same of the turn");
   visit("prior_distance", o.prior_distance, Unit::meter, kPositive,
-        "spread of the prior about the start; large: the scan alone counts");
+        "sigma of the prior about the start; large: the scan alone counts");
   visit("prior_turn", o.prior_turn, Unit::radian, kPositive, "the same of the turn");
   visit("points", o.points, "which points of a scan are matched");
   visit("local_map", o.local_map, "which past scans are matched against");

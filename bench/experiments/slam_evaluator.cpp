@@ -167,7 +167,7 @@ const MapConfusion& SlamEvaluator::confusion() {
 double SlamEvaluator::doubled_walls() {
   return once(doubled_walls_, [&] {
     if (!has_true_map()) return kNone;
-    return mapbed::doubled_walls(map(), true_map(), options_.doubled).share();
+    return mapbed::doubled_walls(map(), true_map(), options_.doubled).fraction();
   });
 }
 
@@ -177,7 +177,7 @@ double SlamEvaluator::excess_doubled_walls() {
     const Trajectory truth = truth_at_stamps(input_.truth, estimate_.trajectory);
     if (truth.empty()) return kNone;
     const OccupancyMap ideal = build_map(input_.log, truth, options_.map);
-    return doubled_walls() - mapbed::doubled_walls(ideal, true_map(), options_.doubled).share();
+    return doubled_walls() - mapbed::doubled_walls(ideal, true_map(), options_.doubled).fraction();
   });
 }
 

@@ -31,7 +31,7 @@ template <class Visitor>
 void visit_fields(EvaluationOptions& o, Visitor&& visit) {
   visit("success_distance", o.success_distance, Unit::meter, kPositive,
         "a success has a smaller largest_error");
-  visit("success_doubled_walls", o.success_doubled_walls, kShare,
+  visit("success_doubled_walls", o.success_doubled_walls, kFraction,
         "and a smaller excess_doubled_walls");
   visit("failure_distance", o.failure_distance, Unit::meter, kPositive,
         "a run with a larger largest_error is a failure");

@@ -50,16 +50,16 @@ std::optional<Eigen::Vector2d> normal_at(const TrueMap& truth, int x, int y) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (const CellIndex cell : cells) mean += Eigen::Vector2d(cell.x, cell.y);
   mean /= static_cast<double>(cells.size());
-  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
   for (const CellIndex cell : cells) {
     const Eigen::Vector2d d = Eigen::Vector2d(cell.x, cell.y) - mean;
-    spread += d * d.transpose();
+    scatter += d * d.transpose();
   }
   // Closed form of the eigenvalues h +- r, and the direction of the larger one.
-  const double h = 0.5 * spread.trace();
-  const double r = std::hypot(0.5 * (spread(0, 0) - spread(1, 1)), spread(0, 1));
+  const double h = 0.5 * scatter.trace();
+  const double r = std::hypot(0.5 * (scatter(0, 0) - scatter(1, 1)), scatter(0, 1));
   if (h - r > kFlat * (h + r)) return {};
-  const double along = 0.5 * std::atan2(2.0 * spread(0, 1), spread(0, 0) - spread(1, 1));
+  const double along = 0.5 * std::atan2(2.0 * scatter(0, 1), scatter(0, 0) - scatter(1, 1));
   return Eigen::Vector2d(-std::sin(along), std::cos(along));
 }
 
@@ -84,7 +84,7 @@ int count_walls(const Eigen::Vector2d& center, const Eigen::Vector2d& normal, do
 
 }  // namespace
 
-double DoubledWalls::share() const {
+double DoubledWalls::fraction() const {
   if (walls == 0) return std::numeric_limits<double>::quiet_NaN();
   return static_cast<double>(doubled) / walls;
 }

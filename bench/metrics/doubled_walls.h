@@ -14,7 +14,7 @@ struct DoubledWallOptions {
 
 template <class Visitor>
 void visit_fields(DoubledWallOptions& o, Visitor&& visit) {
-  visit("occupied", o.occupied, kShare, "cells of at least this probability count as occupied");
+  visit("occupied", o.occupied, kFraction, "cells of at least this probability count as occupied");
   visit("reach", o.reach, Unit::meter, kPositive, "how far to both sides of a wall others count");
   visit("gap", o.gap, at_least(1), "cells between two walls of the map, at least");
 }
@@ -30,7 +30,7 @@ struct DoubledWalls {
   int walls = 0;    // cells that were looked at
   int doubled = 0;  // of these, with more walls in the map than there are
 
-  double share() const;  // NaN where nothing was looked at
+  double fraction() const;  // NaN where nothing was looked at
 };
 
 DoubledWalls doubled_walls(const OccupancyMap& map, const TrueMap& truth,

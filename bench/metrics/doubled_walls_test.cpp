@@ -41,7 +41,7 @@ class DoubledWallsOf : public ::testing::TestWithParam<double> {
     for_each_cell(
         height, [&](CellIndex c) { map_.at(c) = known(0.9); }, first);
   }
-  double share() const { return doubled_walls(map_, truth_).share(); }
+  double fraction() const { return doubled_walls(map_, truth_).fraction(); }
 
   TrueMap truth_;
   OccupancyMap map_{0.1};
@@ -55,30 +55,30 @@ TEST_P(DoubledWallsOf, APerfectMapAreNone) {
 
 TEST_P(DoubledWallsOf, AMapWithASecondWallNearbyAreAll) {
   draw_wall(2.5);
-  EXPECT_GE(share(), 1.0 - 2.0 / kSide);  // the normal at a steep wall's end goes past the other
+  EXPECT_GE(fraction(), 1.0 - 2.0 / kSide);  // the normal at a steep wall's end goes past the other
 }
 
 TEST_P(DoubledWallsOf, AMapWithASecondWallInOneHalfAreHalf) {
   draw_wall(2.5, kSide / 2);
   // The strip sees a cell and a half to the sides, and the normal of a steep wall leans by 0.3 m.
-  EXPECT_NEAR(share(), 0.5, 6.0 / kSide);
+  EXPECT_NEAR(fraction(), 0.5, 6.0 / kSide);
 }
 
 TEST_P(DoubledWallsOf, ASecondWallFurtherThanTheReachIsNone) {
   draw_wall(3.5);  // across the steepest wall 1.29 m
-  EXPECT_DOUBLE_EQ(share(), 0.0);
+  EXPECT_DOUBLE_EQ(fraction(), 0.0);
 }
 
 TEST_P(DoubledWallsOf, AThickWallIsOne) {
   draw_wall(2.1);
   draw_wall(2.2);
-  EXPECT_DOUBLE_EQ(share(), 0.0);
+  EXPECT_DOUBLE_EQ(fraction(), 0.0);
 }
 
 TEST_P(DoubledWallsOf, WallsThatThereAreTwiceAreNone) {
   add_true_wall(2.5);
   draw_wall(2.5);
-  EXPECT_DOUBLE_EQ(share(), 0.0);
+  EXPECT_DOUBLE_EQ(fraction(), 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Slopes, DoubledWallsOf, ::testing::Values(0.0, 0.2, -0.6));
@@ -93,9 +93,9 @@ TEST(DoubledWalls, FacesThatTheRobotNeverSawDoNotCount) {
     truth.cells[truth.index(x, 24)] = TrueCell::occupied;
     for (int y = 10; y <= 20; ++y) map.at({x, y}) = known(y == 20 ? 0.9 : 0.1);
   }
-  EXPECT_DOUBLE_EQ(doubled_walls(map, truth).share(), 0.0);
+  EXPECT_DOUBLE_EQ(doubled_walls(map, truth).fraction(), 0.0);
   for (int x = 0; x < kSide; ++x) map.at({x, 15}) = known(0.9);
-  EXPECT_DOUBLE_EQ(doubled_walls(map, truth).share(), 1.0);
+  EXPECT_DOUBLE_EQ(doubled_walls(map, truth).fraction(), 1.0);
 }
 
 TEST(DoubledWalls, AreNotLookedForAtCornersAndPosts) {
@@ -110,7 +110,7 @@ TEST(DoubledWalls, AreNotLookedForAtCornersAndPosts) {
   map.at({10, 10}) = map.at({25, 25}) = known(0.9);
   const DoubledWalls none = doubled_walls(map, truth);
   EXPECT_EQ(none.walls, 0);
-  EXPECT_TRUE(std::isnan(none.share()));
+  EXPECT_TRUE(std::isnan(none.fraction()));
   map.at({20, 10}) = known(0.9);
   EXPECT_EQ(doubled_walls(map, truth).walls, 3);  // the cell, and those beside it
 }

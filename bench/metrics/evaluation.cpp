@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/config/quantity.h"
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
 
@@ -26,27 +27,33 @@ std::string name_of(const RelativeErrorOptions& options) {
                      options.all_pairs ? ", all pairs" : "");
 }
 
-std::string row_of(const char* name, const char* unit, const ErrorStatistics& s, double scale) {
+std::string row_of(const char* name, Unit unit, const ErrorStatistics& s) {
   if (s.count == 0) return fmt::format("  {:<18} nothing to compare\n", name);
+  const std::string symbol = "[" + display_symbol(unit) + "]";
+  const auto shown = [unit](double value) { return displayed(value, unit); };
   return fmt::format("  {:<12} {:<5} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f}\n",
-                     name, unit, scale * s.rmse, scale * s.mean, scale * s.median, scale * s.sigma,
-                     scale * s.min, scale * s.max);
+                     name, symbol, shown(s.rmse), shown(s.mean), shown(s.median), shown(s.sigma),
+                     shown(s.min), shown(s.max));
 }
 
 std::string rows_of(const std::string& title, const PoseErrors& errors) {
   return fmt::format("{}: {} {}\n", title, errors.translation.count,
                      errors.translation.count == 1 ? "comparison" : "comparisons") +
-         row_of("translation", "[m]", errors.translation, 1.0) +
-         row_of("rotation", "[deg]", errors.rotation, degrees(1.0));
+         row_of("translation", Unit::meter, errors.translation) +
+         row_of("rotation", Unit::radian, errors.rotation);
+}
+
+std::string row_of(const char* name, Unit unit, double mean, double sigma) {
+  return fmt::format("  {:<12} mean {:.6f} {}, std {:.6f} {}\n", name, displayed(mean, unit),
+                     display_symbol(unit), displayed(sigma, unit), display_symbol(unit));
 }
 
 std::string rows_of(const RelationsError& error) {
   return fmt::format(
-      "relations: {} compared, {} skipped (a stamp more than 5 s outside the estimate)\n"
-      "  translation  mean {:.6f} m, std {:.6f} m\n"
-      "  rotation     mean {:.6f} deg, std {:.6f} deg\n",
-      error.count, error.skipped, error.mean_translation, error.sigma_translation,
-      degrees(error.mean_rotation), degrees(error.sigma_rotation));
+             "relations: {} compared, {} skipped (a stamp more than 5 s outside the estimate)\n",
+             error.count, error.skipped) +
+         row_of("translation", Unit::meter, error.mean_translation, error.sigma_translation) +
+         row_of("rotation", Unit::radian, error.mean_rotation, error.sigma_rotation);
 }
 
 std::string rows_of(const TruthErrors& errors) {

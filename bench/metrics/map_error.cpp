@@ -7,7 +7,7 @@
 namespace mapbed {
 namespace {
 
-double share(int part, int whole) {
+double fraction(int part, int whole) {
   if (whole == 0) return std::numeric_limits<double>::quiet_NaN();
   return static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -33,11 +33,11 @@ NearCells near_solid(const TrueMap& truth, int tolerance) {
 }  // namespace
 
 double MapErrors::precision() const {
-  return share(right, occupied);
+  return fraction(right, occupied);
 }
 
 double MapErrors::recall() const {
-  return share(found, true_occupied);
+  return fraction(found, true_occupied);
 }
 
 double MapErrors::f1() const {
@@ -47,15 +47,15 @@ double MapErrors::f1() const {
 }
 
 double MapConfusion::coverage() const {
-  return share(truly_free.known(), truly_free.known() + truly_free.unknown);
+  return fraction(truly_free.known(), truly_free.known() + truly_free.unknown);
 }
 
 double MapConfusion::free_as_occupied() const {
-  return share(truly_free.occupied, truly_free.known());
+  return fraction(truly_free.occupied, truly_free.known());
 }
 
 double MapConfusion::occupied_as_free() const {
-  return share(truly_occupied.free, truly_occupied.known());
+  return fraction(truly_occupied.free, truly_occupied.known());
 }
 
 MapConfusion confusion_of(const OccupancyMap& map, const TrueMap& truth,

@@ -38,8 +38,8 @@ struct MapConfusion {
   MapSays truly_free;
   MapSays truly_occupied;
 
-  double coverage() const;          // share of the truly free cells that the map knows; NaN: none
-  double free_as_occupied() const;  // share of the known truly free cells, as the next
+  double coverage() const;  // fraction of the truly free cells that the map knows; NaN: none
+  double free_as_occupied() const;  // fraction of the known truly free cells, as the next
   double occupied_as_free() const;
 };
 

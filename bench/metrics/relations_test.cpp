@@ -27,8 +27,8 @@ TEST(Relations, OfTheEstimateItselfHaveNoError) {
   EXPECT_NEAR(error.mean_rotation, 0.0, kRounding);
 }
 
-TEST(Relations, MeanAndSpreadAreThoseOfTheLengths) {
-  // Errors of 3-4-5 and of 1 m: mean 3 m, spread 2 m; turns of 0.1 and -0.3: mean 0.2 rad.
+TEST(Relations, MeanAndSigmaAreThoseOfTheLengths) {
+  // Errors of 3-4-5 and of 1 m: mean 3 m, sigma 2 m; turns of 0.1 and -0.3: mean 0.2 rad.
   const std::vector<Relation> relations{{0.0, 10.0, {10 - 3, -4, 0.1}},
                                         {0.0, 10.0, {10 - 1, 0, -0.3}}};
   const RelationsError error = relations_error(straight(), relations);

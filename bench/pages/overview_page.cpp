@@ -28,17 +28,17 @@ std::string place_of(const ReportedResults& result) {
   return fs::absolute(result.folder + "/.").lexically_normal().parent_path().filename().string();
 }
 
-std::string share(int part, int whole) {
+std::string fraction(int part, int whole) {
   return whole == 0 ? "\u2013" : fmt::format("{} of {}", part, whole);
 }
 
 std::string held_text(const Results& results) {
   const ClaimCount claims = claims_of(results);
-  return share(claims.held, claims.held + claims.not_held);
+  return fraction(claims.held, claims.held + claims.not_held);
 }
 
 std::string failed_text(const Results& results) {
-  return share(failed_runs(results), static_cast<int>(results.runs.size()));
+  return fraction(failed_runs(results), static_cast<int>(results.runs.size()));
 }
 
 std::string table_html(const std::vector<ReportedResults>& all) {

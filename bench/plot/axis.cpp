@@ -62,14 +62,14 @@ std::string title_of(const Axis& axis) {
   return axis.unit.empty() ? axis.label : axis.label + " [" + axis.unit + "]";
 }
 
-double Scale::share(double value) const {
+double Scale::fraction(double value) const {
   if (!std::isfinite(value)) return kNoPlace;
   if (!logarithmic) return (value - low) / (high - low);
   return value > 0.0 ? std::log(value / low) / std::log(high / low) : kNoPlace;
 }
 
-double Scale::value(double share) const {
-  return logarithmic ? low * std::pow(high / low, share) : std::lerp(low, high, share);
+double Scale::value(double fraction) const {
+  return logarithmic ? low * std::pow(high / low, fraction) : std::lerp(low, high, fraction);
 }
 
 Scale scale_of(const Axis& axis, std::span<const double> values, bool from_zero) {

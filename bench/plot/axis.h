@@ -26,8 +26,8 @@ struct Scale {
   double high = 1.0;  // more than low
   bool logarithmic = false;
 
-  double share(double value) const;  // 0 at low, 1 at high; NaN where the value has no place
-  double value(double share) const;  // the inverse
+  double fraction(double value) const;  // 0 at low, 1 at high; NaN where the value has no place
+  double value(double fraction) const;  // the inverse
 };
 
 // Room for all finite values (positive ones on a logarithmic axis) and a little more, but not below

@@ -43,8 +43,8 @@ TEST(Ticks, NeverLieOutsideTheScaleAndAreNeitherManyNorFew) {
                                Scale{size, 30 * size, true}}) {
       const std::vector<Tick> ticks = ticks_of(scale, 6);
       for (const Tick& tick : ticks) {
-        EXPECT_GE(scale.share(tick.value), -1e-6);
-        EXPECT_LE(scale.share(tick.value), 1.0 + 1e-6);
+        EXPECT_GE(scale.fraction(tick.value), -1e-6);
+        EXPECT_LE(scale.fraction(tick.value), 1.0 + 1e-6);
       }
       EXPECT_GE(texts_of(ticks).size(), 2u) << scale.low << " to " << scale.high;
       EXPECT_LE(texts_of(ticks).size(), 8u) << scale.low << " to " << scale.high;
@@ -65,8 +65,8 @@ TEST(Scale, HasRoomForAllValuesAndBeginsAtZeroWhereTheyComeNearIt) {
 TEST(Scale, OfALogarithmHasNoPlaceForZero) {
   const Scale scale = scale_of({.logarithmic = true}, std::vector<double>{0.0, -1.0, 0.1, 10.0});
   EXPECT_GT(scale.low, 0.05);
-  EXPECT_TRUE(std::isnan(scale.share(0.0)));
-  EXPECT_NEAR(scale.share(1.0), 0.5, 1e-12) << "in the middle between 0.1 and 10";
+  EXPECT_TRUE(std::isnan(scale.fraction(0.0)));
+  EXPECT_NEAR(scale.fraction(1.0), 0.5, 1e-12) << "in the middle between 0.1 and 10";
   EXPECT_NEAR(scale.value(0.5), 1.0, 1e-12);
 }
 

@@ -42,14 +42,14 @@ Scale cell_scale(const Axis& axis, const std::vector<double>& places) {
           axis.high.value_or(back(forth(places[n - 1]) + after)), axis.logarithmic};
 }
 
-std::size_t nearest(const std::vector<double>& places, const Scale& scale, double share) {
-  const double value = scale.value(share);
+std::size_t nearest(const std::vector<double>& places, const Scale& scale, double fraction) {
+  const double value = scale.value(fraction);
   const auto after = std::lower_bound(places.begin(), places.end(), value);
   if (after == places.begin()) return 0;
   const auto index = static_cast<std::size_t>(after - places.begin());
   if (after == places.end()) return index - 1;
-  const double to_low = share - scale.share(places[index - 1]);
-  return to_low < scale.share(*after) - share ? index - 1 : index;
+  const double to_low = fraction - scale.fraction(places[index - 1]);
+  return to_low < scale.fraction(*after) - fraction ? index - 1 : index;
 }
 
 // The colour scale is padded by scale_of(); here the ends are those of the values themselves.
@@ -79,9 +79,10 @@ RgbImage picture_of(const HeatMap& map, const PlotArea& area, const Scale& color
   for (int y = 0; y < image.height(); ++y) {
     const std::size_t row = nearest(map.ys, area.y, 1.0 - (y + 0.5) / image.height());
     for (int x = 0; x < image.width(); ++x) {
-      const double share = colors.share(value_at(map, columns[static_cast<std::size_t>(x)], row));
+      const double fraction =
+          colors.fraction(value_at(map, columns[static_cast<std::size_t>(x)], row));
       image.at(x, y) =
-          std::isnan(share) ? hatched(x, y) : color_of(ColorMap::blue_to_yellow, share);
+          std::isnan(fraction) ? hatched(x, y) : color_of(ColorMap::blue_to_yellow, fraction);
     }
   }
   return image;
@@ -108,7 +109,7 @@ std::string color_bar(const HeatMap& map, const PlotArea& area, const Scale& col
   for (const Tick& tick : ticks_of(colors, 6)) {
     if (tick.text.empty()) continue;
     widest = std::max(widest, svg_text_width(tick.text, 12.0));
-    const double y = area.top + area.height * (1.0 - colors.share(tick.value));
+    const double y = area.top + area.height * (1.0 - colors.fraction(tick.value));
     svg += fmt::format("<path d=\"M{} {}h4\" stroke=\"#222\"/>\n", coordinate(x + kBarWidth),
                        coordinate(y));
     svg += svg_text(x + kBarWidth + 6.0, y + 4.0, tick.text, {12.0});
@@ -133,9 +134,10 @@ std::string contour_in(const Corner (&corners)[3], double level) {
     const Corner& a = corners[i];
     const Corner& b = corners[(i + 1) % 3];
     if ((a.value < level) == (b.value < level)) continue;
-    const double share = (level - a.value) / (b.value - a.value);
-    data += fmt::format("{}{} {}", data.empty() ? 'M' : 'L', coordinate(std::lerp(a.x, b.x, share)),
-                        coordinate(std::lerp(a.y, b.y, share)));
+    const double fraction = (level - a.value) / (b.value - a.value);
+    data +=
+        fmt::format("{}{} {}", data.empty() ? 'M' : 'L', coordinate(std::lerp(a.x, b.x, fraction)),
+                    coordinate(std::lerp(a.y, b.y, fraction)));
   }
   return data;
 }
@@ -143,13 +145,13 @@ std::string contour_in(const Corner (&corners)[3], double level) {
 std::string contours(const HeatMap& map, const PlotArea& area, const Scale& colors) {
   std::string data;
   for (const Tick& tick : ticks_of(colors, 6)) {
-    const double level = colors.share(tick.value);
+    const double level = colors.fraction(tick.value);
     if (tick.text.empty() || level <= 0.0 || level >= 1.0) continue;
     for (std::size_t y = 0; y + 1 < map.ys.size(); ++y) {
       for (std::size_t x = 0; x + 1 < map.xs.size(); ++x) {
         const auto corner = [&](std::size_t dx, std::size_t dy) {
           return Corner{area.px(map.xs[x + dx]), area.py(map.ys[y + dy]),
-                        colors.share(value_at(map, x + dx, y + dy))};
+                        colors.fraction(value_at(map, x + dx, y + dy))};
         };
         const Corner a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
         if (!std::isfinite(a.value + b.value + c.value + d.value)) continue;
@@ -172,7 +174,7 @@ std::string svg_of(const HeatMap& map) {
   const Scale colors = color_scale(map);
   FrameText text{map.title, map.subtitle, {}, kBarRoom};
   const bool holes = std::any_of(map.values.begin(), map.values.end(),
-                                 [&](double v) { return std::isnan(colors.share(v)); });
+                                 [&](double v) { return std::isnan(colors.fraction(v)); });
   if (holes) {
     RgbImage image(28, 12);
     for (int y = 0; y < 12; ++y) {

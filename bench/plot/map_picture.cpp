@@ -16,14 +16,14 @@ namespace {
 constexpr Rgb kUnknown{205, 214, 224};
 // Half of the beams of a thin wall end in the cell before or behind it, or pass at its edges.
 constexpr float kBlackFrom = 0.5F;
-constexpr double kStrayLength = 1.0;  // [m]
-constexpr double kStrayShare = 0.02;  // of the known cells, at each side
-constexpr double kStrayBorder = 0.5;  // [m]
-constexpr int kMargin = 24;           // [pixels] around everything
-constexpr int kMinWidth = 420;        // [pixels] of the map's part, so that the legend has room
-constexpr double kTextSize = 15.0;    // [pixels]
-constexpr int kRowHeight = 26;        // [pixels] of the legend
-constexpr double kSample = 28.0;      // [pixels] length of a sample in the legend
+constexpr double kStrayLength = 1.0;     // [m]
+constexpr double kStrayFraction = 0.02;  // of the known cells, at each side
+constexpr double kStrayBorder = 0.5;     // [m]
+constexpr int kMargin = 24;              // [pixels] around everything
+constexpr int kMinWidth = 420;           // [pixels] of the map's part, so that the legend has room
+constexpr double kTextSize = 15.0;       // [pixels]
+constexpr int kRowHeight = 26;           // [pixels] of the legend
+constexpr double kSample = 28.0;         // [pixels] length of a sample in the legend
 
 // From the map to the picture: `cells_per_pixel` is 1 where `pixels_per_cell` is more than 1.
 struct Layout {
@@ -37,8 +37,8 @@ struct Layout {
 };
 
 // How many cells at either end of `known_cells`, counted by row or by column, hold no more than
-// stray beams: less than kStrayLength known in each and all together less than a share of the map.
-// Some of them stay as a border.
+// stray beams: less than kStrayLength known in each and all together less than kStrayFraction of
+// the map. Some of them stay as a border.
 struct Trim {
   int low = 0, high = 0;
 };
@@ -46,7 +46,7 @@ struct Trim {
 Trim stray_ends(const std::vector<int>& known_cells, double resolution) {
   const double few = kStrayLength / resolution;
   const auto all = std::accumulate(known_cells.begin(), known_cells.end(), std::int64_t{0});
-  const double allowed = kStrayShare * static_cast<double>(all);
+  const double allowed = kStrayFraction * static_cast<double>(all);
   const int border = static_cast<int>(kStrayBorder / resolution);
   const auto count_from = [&](auto first, auto last) {
     int count = 0;

@@ -20,8 +20,8 @@ struct PlotArea {
   Scale x;
   Scale y;
 
-  double px(double x_value) const { return left + width * x.share(x_value); }
-  double py(double y_value) const { return top + height * (1.0 - y.share(y_value)); }
+  double px(double x_value) const { return left + width * x.fraction(x_value); }
+  double py(double y_value) const { return top + height * (1.0 - y.fraction(y_value)); }
   double right() const { return left + width; }
   double bottom() const { return top + height; }
 };

@@ -28,7 +28,7 @@ Results results_of(const std::vector<std::vector<double>>& a,
       }
     }
   }
-  results.summary = summarise(results);
+  results.summary = summary_of(results);
   return results;
 }
 
@@ -88,7 +88,7 @@ TEST(Claim, AFailedRunCountsInAQuickRunToo) {
   Results results = results_of({{1}, {1}, {kNone}}, {{2}, {2}, {2}});
   results.quick = true;
   results.runs[4].failure = "no match";  // of a, at the third level
-  results.summary = summarise(results);
+  results.summary = summary_of(results);
   const Verdict result = judged("{metric: error, of: a, below: b}", results);
   EXPECT_TRUE(result.judged);
   EXPECT_FALSE(result.held);

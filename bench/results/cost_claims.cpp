@@ -43,7 +43,7 @@ Results with_costs_as_metrics(const Results& results) {
     run.values = cost == results.costs.end() ? std::vector<double>(costs.metrics.size(), kNone)
                                              : values_of(*cost);
   }
-  costs.summary = summarise(costs);
+  costs.summary = summary_of(costs);
   return costs;
 }
 

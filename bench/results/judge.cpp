@@ -266,7 +266,7 @@ std::vector<Verdict> judge_all(const Results& results) {
 
 bool judge_again(Results& results) {
   if (results.claims.empty()) return false;
-  results.summary = summarise(results);
+  results.summary = summary_of(results);
   results.verdicts = judge_all(results);
   return true;
 }

@@ -40,7 +40,7 @@ Results plain() {
   r.metrics = {{"success", Unit::none, ""}};
   r.config_yaml = config_of(r);
   r.runs = {{.run = 0, .seed = 1, .values = {1.0}}};
-  r.summary = summarise(r);
+  r.summary = summary_of(r);
   r.costs = {{.run = 0, .seconds = 0.5}};
   return r;
 }
@@ -78,7 +78,7 @@ Results rich() {
              .seed = r.seed,
              .values = {kNone, 0.0},
              .failure = "lost, at \"3 s\""}};
-  r.summary = summarise(r);
+  r.summary = summary_of(r);
   r.series = {{"residual", {{0, 0.5}, {1, 0.1}}, 0}, {"turn", {{0.1, 1e-300}}, 0}};
   r.verdicts = {{.claim = "a", .held = true, .measured = "1 against 2", .thesis = "so"},
                 {.claim = "b", .measured = "3, 4"},

@@ -87,7 +87,7 @@ Results with_series_as_metrics(const Results& results, const Claim& claim) {
       if (metric >= 0) run.values[static_cast<std::size_t>(metric)] = taken(series, claim.take, x);
     }
   }
-  taken_values.summary = summarise(taken_values);
+  taken_values.summary = summary_of(taken_values);
   return taken_values;
 }
 
@@ -99,8 +99,8 @@ double value_at(const Series& series, double x) {
   if (next->x == x) return next->value;
   if (next == points.begin()) return kNone;
   const SeriesPoint& before = *(next - 1);
-  const double share = (x - before.x) / (next->x - before.x);
-  return before.value + share * (next->value - before.value);
+  const double fraction = (x - before.x) / (next->x - before.x);
+  return before.value + fraction * (next->value - before.value);
 }
 
 }  // namespace mapbed

@@ -30,7 +30,7 @@ void fill_in(SummaryRow& row, std::vector<double> values) {
 
 }  // namespace
 
-std::vector<SummaryRow> summarise(const Results& results) {
+std::vector<SummaryRow> summary_of(const Results& results) {
   const std::size_t variants = results.variants.size();
   const std::size_t metrics = results.metrics.size();
   std::vector<SummaryRow> rows(results.levels.size() * variants * metrics);

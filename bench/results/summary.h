@@ -7,6 +7,6 @@
 namespace mapbed {
 
 // Of all runs: a row for each level, variant and metric, the last one fastest.
-std::vector<SummaryRow> summarise(const Results& results);
+std::vector<SummaryRow> summary_of(const Results& results);
 
 }  // namespace mapbed

@@ -16,7 +16,7 @@ TEST(Summary, CountsFailedRunsAndThoseWithoutValue) {
                   {.run = 1, .values = {4.0}, .failure = "too far off"},
                   {.run = 2, .values = {std::nan("")}, .failure = "ended early"},
                   {.run = 3, .values = {4.0}}};
-  const std::vector<SummaryRow> rows = summarise(results);
+  const std::vector<SummaryRow> rows = summary_of(results);
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].runs, 4);
   EXPECT_EQ(rows[0].failed, 2);

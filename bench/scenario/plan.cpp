@@ -100,9 +100,10 @@ std::vector<std::string> skipped_in(const ScenarioPlan& plan) {
 
 // A key of the form that is misspelt ends among the options of the experiment.
 void check_keys(const Scenario& scenario, const Experiment& experiment) {
-  static const std::vector<std::string> kForm{
-      "about", "thesis", "base",  "experiment", "sweep", "compare", "seeds", "seed",   "metrics",
-      "plots", "claims", "quick", "set",        "world", "robot",   "path",  "people", "log"};
+  static const std::vector<std::string> kForm{"about",   "thesis", "base",   "experiment", "sweep",
+                                              "compare", "seeds",  "seed",   "metrics",    "plots",
+                                              "claims",  "quick",  "set",    "world",      "robot",
+                                              "path",    "driver", "people", "log"};
   for (const Setting& setting : divided(scenario.settings, experiment.further_logs).experiment) {
     if (setting.path.find('.') != std::string::npos) continue;
     const std::string meant = nearest(setting.path, kForm);

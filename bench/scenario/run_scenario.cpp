@@ -46,7 +46,7 @@ void summarize(Results& results) {
   std::sort(results.costs.begin(), results.costs.end(), by_number);
   std::stable_sort(results.series.begin(), results.series.end(), by_number);
   std::stable_sort(results.files.begin(), results.files.end(), by_number);
-  results.summary = summarise(results);
+  results.summary = summary_of(results);
   results.verdicts = judge_all(results);
 }
 

@@ -152,7 +152,7 @@ void read_scenario(const fs::path& path, std::size_t depth, Reading& into) {
   file.check_all_used();
 }
 
-std::vector<std::string> spread(const std::vector<std::string>& texts, int count) {
+std::vector<std::string> evenly_chosen(const std::vector<std::string>& texts, int count) {
   const auto wanted = static_cast<std::size_t>(count);
   if (texts.size() <= wanted) return texts;
   if (wanted == 1) return {texts.front()};
@@ -169,7 +169,7 @@ void make_quick(Reading& reading) {
   scenario.seeds = std::min(scenario.seeds, reading.quick.seeds);
   for (SweepAxis& axis : scenario.axes) {
     const SourceLocation place = axis.place;
-    axis = axis_of(axis.path, spread(axis.texts, reading.quick.levels));
+    axis = axis_of(axis.path, evenly_chosen(axis.texts, reading.quick.levels));
     axis.place = place;
   }
   append(scenario.settings, reading.quick.settings);

@@ -20,6 +20,7 @@ namespace mapbed {
 //   experiment: slam                      # 'mapbed list experiments'; slam where left out
 //   world: museum                         # with robot, path and people: a simulated log;
 //   robot: b21r                           # 'log: NAME' instead: a recorded one
+//   driver: scripted                      # 'mapbed list drivers'; the first one where left out
 //   sweep:
 //     robot.odometry.rotation_sigma: [0 deg, 1 deg, 2 deg]
 //   compare:

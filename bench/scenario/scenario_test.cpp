@@ -69,6 +69,7 @@ TEST_F(ScenarioFile, IsRefusedWithPlaceAndRemedy) {
     EXPECT_INPUT_ERROR(plan(kCells + more), message);
   };
   refuse("seedz: 3\n", "x.yaml:5: unknown key 'seedz'; did you mean 'seeds'?");
+  refuse("drivr: scripted\n", "x.yaml:5: unknown key 'drivr'; did you mean 'driver'?");
   refuse("odds.p_ock: 0.7\n", "x.yaml:5: unknown key 'p_ock' in odds_vs_counting.odds; did you");
   refuse("odds.p_occ: 7\n", "x.yaml:5: '7' is too large");
   refuse("seeds: 0\n", "'0' is too small");

@@ -21,7 +21,7 @@ struct Laser {
 
 template <class Visitor>
 void visit_fields(Laser::Noise& o, Visitor&& visit) {
-  visit("sigma", o.sigma, Unit::meter, kNotNegative, "spread of a range");
+  visit("sigma", o.sigma, Unit::meter, kNotNegative, "sigma of a range");
 }
 
 template <class Visitor>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -9,42 +8,10 @@
 #include <variant>
 #include <vector>
 
+#include "core/config/bounds.h"
+#include "core/config/unit.h"
+
 namespace mapbed {
-
-// What a number is measured in. Files write the unit ("2 cm", "5 deg"), the code holds SI and
-// radians.
-enum class Unit {
-  none,
-  meter,
-  radian,
-  second,
-  hertz,
-  kilogram,
-  meter_per_second,
-  radian_per_second,
-  radian_per_meter,
-  meter_per_second_squared,
-  radian_per_second_squared,
-  newton,
-};
-
-// The values that make sense, in SI: of a number, or of every element of a list.
-struct Bounds {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_itself = true;  // may the value be `low`?
-};
-
-inline constexpr Bounds kAnyValue;
-inline constexpr Bounds kPositive{.low = 0.0, .low_itself = false};
-inline constexpr Bounds kNotNegative{.low = 0.0};
-inline constexpr Bounds kShare{.low = 0.0, .high = 1.0};  // probabilities and the like
-constexpr Bounds at_least(double low) {
-  return {.low = low};
-}
-constexpr Bounds between(double low, double high) {  // both included
-  return {.low = low, .high = high};
-}
 
 // A choice by name: the field is of an enum, its value the index of one of `names`.
 struct Choice {

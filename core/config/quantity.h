@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/config/option.h"
+#include "core/config/unit.h"
 #include "core/input_error.h"
 
 namespace mapbed {

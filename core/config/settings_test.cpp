@@ -21,13 +21,13 @@ struct NoiseOptions {
 
 template <class Visitor>
 void visit_fields(NoiseOptions& o, Visitor&& visit) {
-  visit("rotation_sigma", o.rotation_sigma, Unit::radian, kNotNegative, "spread of the heading");
-  visit("translation_sigma", o.translation_sigma, Unit::meter, kNotNegative, "spread: forward");
+  visit("rotation_sigma", o.rotation_sigma, Unit::radian, kNotNegative, "sigma of the heading");
+  visit("translation_sigma", o.translation_sigma, Unit::meter, kNotNegative, "sigma: forward");
 }
 
 struct RobotOptions {
   double size = 0.1;
-  double share = 0.25;
+  double fraction = 0.25;
   int beams = 181;
   std::uint64_t seed = 18446744073709551615u;
   bool reverse = false;
@@ -42,7 +42,7 @@ struct RobotOptions {
 template <class Visitor>
 void visit_fields(RobotOptions& o, Visitor&& visit) {
   visit("size", o.size, Unit::meter, kPositive, "edge length");
-  visit("share", o.share, kShare, "how many");
+  visit("fraction", o.fraction, kFraction, "how many");
   visit("beams", o.beams, at_least(1), "beams of a scan");
   visit("seed", o.seed, "");
   visit("reverse", o.reverse, "mounted upside down");
@@ -104,7 +104,7 @@ TEST(Settings, TheLaterOfTwoWins) {
 TEST(Settings, TheCompleteConfigurationReadsBackExactly) {
   RobotOptions odd;
   odd.size = 0.1 + 0.2;
-  odd.share = 5e-324;
+  odd.fraction = 5e-324;
   odd.reverse = true;
   odd.name = "# [no] 'comment': {} \\ \x01 é";
   odd.odometry.rotation_sigma = 1.0 / 3;
@@ -116,7 +116,7 @@ TEST(Settings, TheCompleteConfigurationReadsBackExactly) {
     const std::string yaml = to_yaml(options_of(options));
     RobotOptions again = robot_from(yaml);
     EXPECT_EQ(again.size, options.size);
-    EXPECT_EQ(again.share, options.share);
+    EXPECT_EQ(again.fraction, options.fraction);
     EXPECT_EQ(again.seed, options.seed);
     EXPECT_EQ(again.reverse, options.reverse);
     EXPECT_EQ(again.name, options.name);
@@ -133,8 +133,8 @@ TEST(Settings, TheCompleteConfigurationReadsBackExactly) {
 TEST(Settings, TheCompleteConfigurationTellsUnitsAndMeaning) {
   NoiseOptions noise;
   EXPECT_EQ(to_yaml(options_of(noise)),
-            "rotation_sigma: 1 deg  # spread of the heading\n"
-            "translation_sigma: 0.01 m  # spread: forward\n");
+            "rotation_sigma: 1 deg  # sigma of the heading\n"
+            "translation_sigma: 0.01 m  # sigma: forward\n");
 }
 
 TEST(Settings, EveryLineOfATextIsIndented) {
@@ -185,9 +185,10 @@ TEST(Settings, AValueOutOfBoundsIsRefusedWithTheBounds) {
   EXPECT_INPUT_ERROR(robot_from("size: -2 m"),
                      "x.yaml:1: '-2 m' is too small; it must be more than 0 m");
   EXPECT_INPUT_ERROR(robot_from("size: 0"), "more than 0 m");
-  EXPECT_INPUT_ERROR(robot_from("share: 1.01"), "too large; it must be at least 0 and at most 1");
+  EXPECT_INPUT_ERROR(robot_from("fraction: 1.01"),
+                     "too large; it must be at least 0 and at most 1");
   EXPECT_INPUT_ERROR(robot_from("beams: 0"), "it must be at least 1");
-  EXPECT_EQ(robot_from("share: 1").share, 1.0);
+  EXPECT_EQ(robot_from("fraction: 1").fraction, 1.0);
   EXPECT_EQ(robot_from("odometry: {rotation_sigma: 0}").odometry.rotation_sigma, 0.0);
 }
 

@@ -33,8 +33,8 @@ Rgb srgb(const Oklab& color) {
 
 }  // namespace
 
-Rgb color_of(ColorMap map, double share) {
-  const double t = share > 0.0 ? std::min(share, 1.0) : 0.0;  // NaN is not > 0
+Rgb color_of(ColorMap map, double fraction) {
+  const double t = fraction > 0.0 ? std::min(fraction, 1.0) : 0.0;  // NaN is not > 0
   if (map == ColorMap::gray) {
     const auto level = static_cast<std::uint8_t>(std::lround(255.0 * t));
     return {level, level, level};

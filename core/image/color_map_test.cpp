@@ -35,7 +35,7 @@ TEST(ColorMap, GetsLighterAllTheWayFromBlueToYellow) {
   EXPECT_GT(high.red, high.blue);
 }
 
-TEST(ColorMap, SharesOutsideTakeTheNearestEnd) {
+TEST(ColorMap, FractionsOutsideTakeTheNearestEnd) {
   const auto map = ColorMap::blue_to_yellow;
   EXPECT_EQ(color_of(map, -3.0), color_of(map, 0.0));
   EXPECT_EQ(color_of(map, 7.0), color_of(map, 1.0));

@@ -47,17 +47,17 @@ class Band {
   void blend(const Rgb& color, double opacity) {
     cv::Mat coverage;  // 255: the whole pixel
     cv::resize(mask_, coverage, area_.size(), 0, 0, cv::INTER_AREA);
-    const auto mixed = [](std::uint8_t below, std::uint8_t above, double share) {
-      return static_cast<std::uint8_t>(std::lround(below + share * (above - below)));
+    const auto mixed = [](std::uint8_t below, std::uint8_t above, double fraction) {
+      return static_cast<std::uint8_t>(std::lround(below + fraction * (above - below)));
     };
     for (int y = 0; y < area_.height; ++y) {
       for (int x = 0; x < area_.width; ++x) {
-        const double share =
+        const double fraction =
             std::clamp(opacity, 0.0, 1.0) * coverage.at<std::uint8_t>(y, x) / 255.0;
-        if (share == 0.0) continue;
+        if (fraction == 0.0) continue;
         Rgb& pixel = image_.at(area_.x + x, area_.y + y);
-        pixel = {mixed(pixel.red, color.red, share), mixed(pixel.green, color.green, share),
-                 mixed(pixel.blue, color.blue, share)};
+        pixel = {mixed(pixel.red, color.red, fraction), mixed(pixel.green, color.green, fraction),
+                 mixed(pixel.blue, color.blue, fraction)};
       }
     }
   }

@@ -47,8 +47,8 @@ MapServerThresholds thresholds_of(const ConfigNode& file) {
   MapServerThresholds thresholds;
   const ConfigNode* occupied = file.find("occupied_thresh");
   const ConfigNode* free = file.find("free_thresh");
-  if (occupied != nullptr) thresholds.occupied = occupied->number(Unit::none, kShare);
-  if (free != nullptr) thresholds.free = free->number(Unit::none, kShare);
+  if (occupied != nullptr) thresholds.occupied = occupied->number(Unit::none, kFraction);
+  if (free != nullptr) thresholds.free = free->number(Unit::none, kFraction);
   if (thresholds.free >= thresholds.occupied) {
     throw InputError((free != nullptr ? free : occupied)->place(),
                      fmt::format("free_thresh {} is not below occupied_thresh {}", thresholds.free,

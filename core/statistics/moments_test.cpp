@@ -19,7 +19,7 @@ TEST(Moments, AreThoseOfTheNumbersSoFar) {
   EXPECT_DOUBLE_EQ(moments.sigma(), 2.0);
 }
 
-TEST(Moments, KeepASmallSpreadAboutALargeMean) {
+TEST(Moments, KeepASmallSigmaAboutALargeMean) {
   Moments moments;
   for (const double value : kValues) moments.add(1e9 + value);
   EXPECT_NEAR(moments.variance(), 4.0, 1e-6);  // the sum of squares would be off by hundreds

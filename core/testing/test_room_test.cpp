@@ -45,7 +45,7 @@ TEST(ScanOf, ReadsTheMaximumRangeWhereNothingIsHit) {
   EXPECT_NEAR(scan.ranges[0], 1.0, 1e-12);
 }
 
-TEST(WithRangeNoise, HasTheSpreadThatWasAskedForAndLeavesMissesAlone) {
+TEST(WithRangeNoise, HasTheSigmaThatWasAskedForAndLeavesMissesAlone) {
   LaserScan scan;
   scan.max_range = 8.0;
   scan.ranges.assign(10'000, 4.0);

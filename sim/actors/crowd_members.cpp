@@ -179,7 +179,7 @@ CrowdMembers drawn_crowd(const World& world, const NavigationMap& map, const Obs
     if (!drawing.add_walker(own, is_walker ? PersonKind::walker : PersonKind::blocker)) {
       does_not_fit(world, drawing.members.people.size(), total, "the routes");
     }
-    const bool has_company = is_walker && own.uniform() < world.crowd.group_share / 2.0;
+    const bool has_company = is_walker && own.uniform() < world.crowd.group_fraction / 2.0;
     if (has_company && count() < walkers) drawing.add_companion(next_stream());
   }
   for (int k = 0; k < standing; ++k) {

@@ -24,7 +24,7 @@ void visit_fields(CrowdOptions& o, Visitor&& visit) {
   visit("standing", o.standing, at_least(-1), "people who stand at its places; -1: its own");
   visit("blockers", o.blockers, at_least(-1), "people who block the robot; -1: its own");
   visit("mean_speed", o.mean_speed, Unit::meter_per_second, kPositive, "wished walking speed");
-  visit("speed_sigma", o.speed_sigma, Unit::meter_per_second, kNotNegative, "its spread");
+  visit("speed_sigma", o.speed_sigma, Unit::meter_per_second, kNotNegative, "its sigma");
   visit("block_time", o.block_time, Unit::second, kPositive, "how long a blocker stands");
   visit("block_pause", o.block_pause, Unit::second, kPositive, "and how long he does not");
   visit("robot_margin", o.robot_margin, Unit::meter, kNotNegative,

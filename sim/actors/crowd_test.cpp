@@ -55,8 +55,8 @@ TEST(Crowd, NobodyGetsIntoWallsOrEachOther) {
 
 TEST(Crowd, WalkersGetRoundAtAboutTheirSpeed) {
   World world = hall();
-  world.crowd.pause_share = 0.0;
-  world.crowd.group_share = 0.0;
+  world.crowd.pause_fraction = 0.0;
+  world.crowd.group_fraction = 0.0;
   Crowd crowd = crowd_of(world, {.walkers = 4, .mean_speed = 1.0, .speed_sigma = 0.0});
   double way = 0.0;
   std::vector<Vector2d> last;

@@ -99,7 +99,7 @@ TEST(Doors, ThatOpenAndShutByChanceAreOpenAsOftenAsTheirMeansSay) {
     pass_time(doors, {}, 1.0);
     open += doors.angle(0) > 0.7 ? 1 : 0;
   }
-  // 2500 openings of 2 s +- 2 s in 20000 s: five standard errors of the share are about 0.022.
+  // 2500 openings of 2 s +- 2 s in 20000 s: five standard errors of the fraction are about 0.022.
   EXPECT_NEAR(static_cast<double>(open) / kSeconds, 0.25, 0.022);
 }
 

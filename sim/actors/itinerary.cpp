@@ -20,7 +20,7 @@ Itinerary::Itinerary(const CrowdRoute& route, const CrowdRules& rules, std::size
                      int direction, Rng rng)
     : points_(route.points),
       closed_(route.closed),
-      pause_share_(rules.pause_share),
+      pause_fraction_(rules.pause_fraction),
       mean_pause_(rules.mean_pause),
       next_(next),
       direction_(direction),
@@ -41,7 +41,7 @@ void Itinerary::turn_back() {
 }
 
 void Itinerary::arrive(double time) {
-  if (rng_.uniform() < pause_share_)
+  if (rng_.uniform() < pause_fraction_)
     pause_until_ = time - mean_pause_ * std::log(1.0 - rng_.uniform());
   const std::size_t count = points_.size();
   if (closed_) {

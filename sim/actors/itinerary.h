@@ -30,7 +30,7 @@ class Itinerary {
 
   std::vector<Eigen::Vector2d> points_;
   bool closed_;
-  double pause_share_;
+  double pause_fraction_;
   double mean_pause_;  // [s]
   std::size_t next_;
   int direction_;

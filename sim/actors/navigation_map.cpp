@@ -22,9 +22,9 @@ constexpr double kMostCells = 4e7;
 double distance_to(const Wall& wall, const Eigen::Vector2d& point) {
   const Eigen::Vector2d along = wall.to - wall.from;
   const double length2 = along.squaredNorm();
-  const double share =
+  const double fraction =
       length2 > 0.0 ? std::clamp((point - wall.from).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return std::max(0.0, (wall.from + share * along - point).norm() - wall.radius);
+  return std::max(0.0, (wall.from + fraction * along - point).norm() - wall.radius);
 }
 
 // Of a metre where there is so much room beside a disc: up to three times as much near walls.
@@ -50,9 +50,9 @@ std::vector<Wall> walls_of(const World& world, double low, double high) {
 Eigen::Vector2d nearest_point(const Wall& wall, const Eigen::Vector2d& point) {
   const Eigen::Vector2d along = wall.to - wall.from;
   const double length2 = along.squaredNorm();
-  const double share =
+  const double fraction =
       length2 > 0.0 ? std::clamp((point - wall.from).dot(along) / length2, 0.0, 1.0) : 0.0;
-  const Eigen::Vector2d on_axis = wall.from + share * along;
+  const Eigen::Vector2d on_axis = wall.from + fraction * along;
   if (wall.radius <= 0.0) return on_axis;
   const Eigen::Vector2d out = point - on_axis;
   const double length = out.norm();

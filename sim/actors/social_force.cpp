@@ -12,11 +12,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFarAway = 7.0;    // in ranges B: exp(-7) of the repulsion is below 2 N
-constexpr double kHardShare = 0.7;  // of the radius that nothing gets into
-constexpr double kStandTurn = 3.0;  // [1/s^2] stiffness of turning on the spot
-constexpr double kLeastPull = 0.5;  // of the heading towards the wish, where f_0 has died away
-constexpr double kFastest = 2.5;    // [m/s] nobody is pushed faster than this
+constexpr double kFarAway = 7.0;       // in ranges B: exp(-7) of the repulsion is below 2 N
+constexpr double kHardFraction = 0.7;  // of the radius that nothing gets into
+constexpr double kStandTurn = 3.0;     // [1/s^2] stiffness of turning on the spot
+constexpr double kLeastPull = 0.5;     // of the heading towards the wish, where f_0 has died away
+constexpr double kFastest = 2.5;       // [m/s] nobody is pushed faster than this
 
 // What touching or nearly touching something does: n points from it to the walker.
 Vector2d repulsion(double overlap, const Vector2d& n, const Vector2d& relative_velocity,
@@ -166,7 +166,7 @@ void keep_out(Walker& w, const Vector2d& center, double radius) {
 
 void keep_out_of_robots(Walker& w, std::span<const RoundObstacle> robots) {
   for (const RoundObstacle& robot : robots) {
-    keep_out(w, robot.position, robot.radius + kHardShare * w.radius);
+    keep_out(w, robot.position, robot.radius + kHardFraction * w.radius);
   }
 }
 
@@ -194,7 +194,7 @@ void advance(std::vector<Walker>& walkers, const NavigationMap& map, std::span<c
     move(w, forces[i] + walls.force, options, dt);
     keep_out_of_robots(w, robots);
     // Only who may have got too near has to be looked at again.
-    const double hard = kHardShare * options.shoulder * w.radius;
+    const double hard = kHardFraction * options.shoulder * w.radius;
     if (walls.nearest - (w.position - before).norm() < hard) {
       keep_out_of_walls(w, map, doors, hard);
     }

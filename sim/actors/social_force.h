@@ -32,7 +32,7 @@ struct SocialForceOptions {
   double damping = 500.0;     // [kg/s] k_d
   double heading = 0.3;       // [1/(kg m)] k_l
   double alpha = 3.0;         // alpha
-  double shoulder = 0.8;      // share of the radius that counts at walls: shoulders turn
+  double shoulder = 0.8;      // fraction of the radius that counts at walls: shoulders turn
 };
 
 struct Walker {
@@ -66,11 +66,11 @@ void visit_fields(SocialForceOptions& o, Visitor&& visit) {
   visit("range", o.range, Unit::meter, kPositive, "B: over which it falls by e");
   visit("stiffness", o.stiffness, kNotNegative, "k1 [kg/s^2]: of bodies that touch");
   visit("friction", o.friction, kNotNegative, "k2 [kg/(m s)]: of bodies that touch");
-  visit("sideways", o.sideways, kNotNegative, "k_o: share of forces that acts sideways");
+  visit("sideways", o.sideways, kNotNegative, "k_o: fraction of forces that acts sideways");
   visit("damping", o.damping, kNotNegative, "k_d [kg/s]: against walking sideways");
   visit("heading", o.heading, kPositive, "k_lambda [1/(kg m)]: turning into the way");
   visit("alpha", o.alpha, kPositive, "damping of that turn");
-  visit("shoulder", o.shoulder, between(0.3, 1.0), "share of the radius that counts at walls");
+  visit("shoulder", o.shoulder, between(0.3, 1.0), "fraction of the radius that counts at walls");
 }
 
 }  // namespace mapbed

@@ -33,7 +33,7 @@ struct Draws {
 // A surface that the beam comes back from.
 struct Surface {
   double range;
-  double light;  // share * reflectivity * cos(incidence)
+  double light;  // fraction * reflectivity * cos(incidence)
   double power;  // received: light / range^2
 };
 
@@ -58,8 +58,8 @@ Surfaces surfaces_of(std::span<const Echo> echoes, const LaserNoise& noise, cons
       const bool answers = !noise.glass || u < echoes[i].hit_probability;
       if (taken == nullptr && answers) taken = &echoes[i];
     }
-    const double share = taken != nullptr ? taken->share : echoes[i - 1].share;
-    covered += share;
+    const double fraction = taken != nullptr ? taken->fraction : echoes[i - 1].fraction;
+    covered += fraction;
     const bool is_hit = taken != nullptr && std::isfinite(taken->range);
     if (!axis_done && covered >= 0.5) {
       result.axis_range = is_hit ? taken->range : kInfinity;
@@ -67,7 +67,7 @@ Surfaces surfaces_of(std::span<const Echo> echoes, const LaserNoise& noise, cons
     }
     CHECK(++sub_ray_count <= kMostSubRays);
     if (!is_hit) continue;
-    const double light = share * taken->reflectivity * taken->cos_incidence;
+    const double light = fraction * taken->reflectivity * taken->cos_incidence;
     const double range = std::max(1e-3, static_cast<double>(taken->range));
     result.list[result.count++] = {range, light, light / (range * range)};
   }
@@ -156,8 +156,8 @@ double quantised(double range, double step) {
 double range_sigma(const LaserNoise& noise, double range) {
   if (range <= noise.near_range) return noise.sigma_near;
   if (range >= noise.far_range) return noise.sigma_far;
-  const double share = (range - noise.near_range) / (noise.far_range - noise.near_range);
-  return noise.sigma_near + share * (noise.sigma_far - noise.sigma_near);
+  const double fraction = (range - noise.near_range) / (noise.far_range - noise.near_range);
+  return noise.sigma_near + fraction * (noise.sigma_far - noise.sigma_near);
 }
 
 LaserScan with_noise(const IdealScan& ideal, const MountedLaser& laser, const Rng& rng) {

@@ -10,7 +10,8 @@ namespace mapbed {
 // What the laser reads. For each beam, in this order:
 //   glass     a pane answers with the echo's hit probability, else the beam goes on
 //   mixing    several surfaces under one spot: LaserNoise::mixed_pixels
-//   darkness  the reflected power, share * reflectivity * cos(incidence), limits the range: a beam
+//   darkness  the reflected power, fraction * reflectivity * cos(incidence), limits the range: a
+//   beam
 //             is lost with probability 1 - Phi(ln(limit / range) / softness),
 //             limit = dark_range * sqrt(power / 0.1)
 //   gross     missed, short (uniform before the surface), random (uniform up to max_range)

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/statistics/moments.h"
+
 namespace mapbed {
 namespace {
 
@@ -42,36 +44,22 @@ std::vector<double> readings(const std::vector<Echo>& echoes, const MountedLaser
   return with_noise(equal_beams(echoes), laser, Rng(42)).ranges;
 }
 
-double share_of(const std::vector<double>& ranges, double low, double high) {
+double fraction_of(const std::vector<double>& ranges, double low, double high) {
   std::size_t count = 0;
   for (const double range : ranges) count += range >= low && range <= high ? 1 : 0;
   return static_cast<double>(count) / static_cast<double>(ranges.size());
 }
 
-// Five standard errors of a share p of kBeams.
-double share_bound(double p) {
+// Five standard errors of a fraction p of kBeams.
+double fraction_bound(double p) {
   return 5.0 * std::sqrt(p * (1.0 - p) / kBeams);
-}
-
-struct Moments {
-  double mean = 0.0;
-  double spread = 0.0;
-};
-
-Moments moments(const std::vector<double>& values) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const double v : values) sum += v;
-  const double mean = sum / static_cast<double>(values.size());
-  for (const double v : values) squares += (v - mean) * (v - mean);
-  return {mean, std::sqrt(squares / static_cast<double>(values.size()))};
 }
 
 TEST(LaserNoise, WithEverythingOffTheReadingIsTheRange) {
   for (const double range : readings({wall_at(3.25F)}, noiseless_laser())) EXPECT_EQ(range, 3.25);
 }
 
-TEST(LaserNoise, HasTheBiasAndSpreadThatWereAskedFor) {
+TEST(LaserNoise, HasTheBiasAndSigmaThatWereAskedFor) {
   MountedLaser laser = noiseless_laser();
   laser.model.noise.sigma_near = 0.005;
   laser.model.noise.sigma_far = 0.02;
@@ -79,9 +67,9 @@ TEST(LaserNoise, HasTheBiasAndSpreadThatWereAskedFor) {
   laser.model.noise.far_range = 20.0;
   laser.model.noise.bias = 0.013;
   for (const auto& [range, sigma] : {std::pair{4.0, 0.005}, {14.0, 0.0125}, {30.0, 0.02}}) {
-    const Moments m = moments(readings({wall_at(static_cast<float>(range))}, laser));
-    EXPECT_NEAR(m.mean, range + 0.013, 5 * sigma / std::sqrt(kBeams));
-    EXPECT_NEAR(m.spread, sigma, 5 * sigma / std::sqrt(2.0 * kBeams));
+    const std::vector<double> ranges = readings({wall_at(static_cast<float>(range))}, laser);
+    EXPECT_NEAR(mean_of(ranges), range + 0.013, 5 * sigma / std::sqrt(kBeams));
+    EXPECT_NEAR(sigma_of(ranges), sigma, 5 * sigma / std::sqrt(2.0 * kBeams));
   }
 }
 
@@ -95,7 +83,7 @@ TEST(LaserNoise, ReadsWholeSteps) {
   }
   // Sheppard: the steps add their own variance step^2 / 12.
   const double sigma = std::sqrt(0.01 * 0.01 * (1.0 + 1.0 / 12.0));
-  EXPECT_NEAR(moments(ranges).spread, sigma, 5 * sigma / std::sqrt(2.0 * kBeams));
+  EXPECT_NEAR(sigma_of(ranges), sigma, 5 * sigma / std::sqrt(2.0 * kBeams));
 }
 
 TEST(LaserNoise, NothingInReachReadsMaxRange) {
@@ -115,10 +103,10 @@ TEST(LaserNoise, MissesShortAndRandomReadingsComeAsOftenAsAskedFor) {
   const double missed = 0.95 * 0.1;
   const double is_short = 0.95 * 0.9 * 0.2;
   const double wall = 0.95 * 0.9 * 0.8;
-  EXPECT_NEAR(share_of(ranges, 80.0, 80.0), missed, share_bound(missed));
-  EXPECT_NEAR(share_of(ranges, 20.0, 20.0), wall, share_bound(wall));
+  EXPECT_NEAR(fraction_of(ranges, 80.0, 80.0), missed, fraction_bound(missed));
+  EXPECT_NEAR(fraction_of(ranges, 20.0, 20.0), wall, fraction_bound(wall));
   const double before = is_short + 0.05 * 20.0 / 80.0;  // random ones fall there too
-  EXPECT_NEAR(share_of(ranges, 0.0, 19.999), before, share_bound(before));
+  EXPECT_NEAR(fraction_of(ranges, 0.0, 19.999), before, fraction_bound(before));
 }
 
 TEST(LaserNoise, ADarkSurfaceIsSeenHalfTheTimeAtItsLimit) {
@@ -126,15 +114,15 @@ TEST(LaserNoise, ADarkSurfaceIsSeenHalfTheTimeAtItsLimit) {
   laser.model.noise.dark_range = 10.0;
   laser.model.noise.dark_softness = 0.1;
   const Echo head_on{.range = 10.0F, .reflectivity = 0.1F};
-  EXPECT_NEAR(share_of(readings({head_on}, laser), 9.9, 10.1), 0.5, share_bound(0.5));
+  EXPECT_NEAR(fraction_of(readings({head_on}, laser), 9.9, 10.1), 0.5, fraction_bound(0.5));
 
   // The limit goes with the root of reflectivity times cosine: 10 m sqrt(0.4 * 0.25 / 0.1).
   const Echo slanted{.range = 10.0F, .reflectivity = 0.4F, .cos_incidence = 0.25F};
-  EXPECT_NEAR(share_of(readings({slanted}, laser), 9.9, 10.1), 0.5, share_bound(0.5));
+  EXPECT_NEAR(fraction_of(readings({slanted}, laser), 9.9, 10.1), 0.5, fraction_bound(0.5));
 
-  // One spread of the limit nearer: Phi(1).
+  // One sigma of the limit nearer: Phi(1).
   const Echo nearer{.range = static_cast<float>(10.0 * std::exp(-0.1)), .reflectivity = 0.1F};
-  EXPECT_NEAR(share_of(readings({nearer}, laser), 8.0, 10.0), 0.8413, share_bound(0.8413));
+  EXPECT_NEAR(fraction_of(readings({nearer}, laser), 8.0, 10.0), 0.8413, fraction_bound(0.8413));
 }
 
 TEST(LaserNoise, GlassAnswersByChanceElseTheBeamGoesOn) {
@@ -142,19 +130,19 @@ TEST(LaserNoise, GlassAnswersByChanceElseTheBeamGoesOn) {
       {.range = 2.0F, .reflectivity = 0.5F, .hit_probability = 0.3F}, wall_at(5.0F)};
   MountedLaser laser = noiseless_laser();
   const std::vector<double> ranges = readings(pane_and_wall, laser);
-  EXPECT_NEAR(share_of(ranges, 2.0, 2.0), 0.3, share_bound(0.3));
-  EXPECT_NEAR(share_of(ranges, 5.0, 5.0), 0.7, share_bound(0.7));
+  EXPECT_NEAR(fraction_of(ranges, 2.0, 2.0), 0.3, fraction_bound(0.3));
+  EXPECT_NEAR(fraction_of(ranges, 5.0, 5.0), 0.7, fraction_bound(0.7));
 
   laser.model.noise.glass = false;
-  EXPECT_EQ(share_of(readings(pane_and_wall, laser), 2.0, 2.0), 1.0);
+  EXPECT_EQ(fraction_of(readings(pane_and_wall, laser), 2.0, 2.0), 1.0);
 }
 
 class OnAnEdge : public ::testing::Test {
  protected:
   // 40 % of the spot on something 2 m away, 60 % on something `gap` behind it, equally bright.
   static std::vector<Echo> edge(float gap) {
-    return {{.range = 2.0F, .reflectivity = 0.5F, .share = 0.4F, .sub_ray = 0},
-            {.range = 2.0F + gap, .reflectivity = 0.5F, .share = 0.6F, .sub_ray = 1}};
+    return {{.range = 2.0F, .reflectivity = 0.5F, .fraction = 0.4F, .sub_ray = 0},
+            {.range = 2.0F + gap, .reflectivity = 0.5F, .fraction = 0.6F, .sub_ray = 1}};
   }
   // Received power goes with 1 / range^2.
   static double near_weight(double gap) {
@@ -176,17 +164,17 @@ TEST_F(OnAnEdge, EitherReadsOneOfThemByPower) {
   laser.model.noise.mixed_pixels = MixedPixels::either;
   const std::vector<double> ranges = readings(edge(2.0F), laser);
   const double near = near_weight(2.0);
-  EXPECT_NEAR(share_of(ranges, 1.999, 2.001), near, share_bound(near));
-  EXPECT_NEAR(share_of(ranges, 3.999, 4.001), 1.0 - near, share_bound(near));
+  EXPECT_NEAR(fraction_of(ranges, 1.999, 2.001), near, fraction_bound(near));
+  EXPECT_NEAR(fraction_of(ranges, 3.999, 4.001), 1.0 - near, fraction_bound(near));
 }
 
 TEST_F(OnAnEdge, APulseMeltsCloseEchoesAndTellsFarOnesApart) {
   MountedLaser laser = noiseless_laser();
   laser.model.noise.mixed_pixels = MixedPixels::pulse;
   laser.model.noise.pulse_length = 0.45;
-  EXPECT_EQ(share_of(readings(edge(0.25F), laser), 2.05, 2.2), 1.0);
+  EXPECT_EQ(fraction_of(readings(edge(0.25F), laser), 2.05, 2.2), 1.0);
   const double near = near_weight(1.0);
-  EXPECT_NEAR(share_of(readings(edge(1.0F), laser), 1.999, 2.001), near, share_bound(near));
+  EXPECT_NEAR(fraction_of(readings(edge(1.0F), laser), 1.999, 2.001), near, fraction_bound(near));
 }
 
 TEST_F(OnAnEdge, OffReadsWhatTheAxisMeets) {

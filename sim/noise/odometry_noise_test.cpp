@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/geometry/angle.h"
+#include "core/statistics/moments.h"
 #include "core/testing/is_near.h"
 
 namespace mapbed {
@@ -31,25 +32,22 @@ std::vector<IdealOdometry> same_step(const Pose2& step) {
   return drive;
 }
 
-// Mean and spread over all steps of something measured on a step's noisy motion.
-std::pair<double, double> moments(const Pose2& step, const OdometryModel& model,
-                                  const std::function<double(const Pose2&)>& measure) {
+// Over all steps, of something measured on a step's noisy motion.
+Moments moments(const Pose2& step, const OdometryModel& model,
+                const std::function<double(const Pose2&)>& measure) {
   const std::vector<Odometry> noisy = with_noise(same_step(step), model, Rng(7));
-  double sum = 0.0;
-  double squares = 0.0;
+  Moments result;
   for (std::size_t k = 1; k < noisy.size(); ++k) {
-    const double value =
-        measure(motion_between(noisy[k - 1].odometry_from_robot, noisy[k].odometry_from_robot));
-    sum += value;
-    squares += value * value;
+    result.add(
+        measure(motion_between(noisy[k - 1].odometry_from_robot, noisy[k].odometry_from_robot)));
   }
-  const double mean = sum / kSteps;
-  return {mean, std::sqrt(squares / kSteps - mean * mean)};
+  return result;
 }
 
-void expect_moments(std::pair<double, double> found, double mean, double spread) {
-  EXPECT_NEAR(found.first, mean, 5 * spread / std::sqrt(kSteps) + 1e-9);
-  EXPECT_NEAR(found.second, spread, 5 * spread / std::sqrt(2.0 * kSteps) + 1e-7);
+// Five standard errors, and rounding.
+void expect_moments(const Moments& found, double mean, double sigma) {
+  EXPECT_NEAR(found.mean(), mean, 5 * sigma / std::sqrt(kSteps) + 1e-9);
+  EXPECT_NEAR(found.sigma(), sigma, 5 * sigma / std::sqrt(2.0 * kSteps) + 1e-9);
 }
 
 double turn(const Pose2& motion) {

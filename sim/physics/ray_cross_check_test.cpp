@@ -20,14 +20,14 @@ Entity upright_thing(Geometry geometry, const Pose2& pose) {
           .parts = {{.name = "thing", .geometry = std::move(geometry)}}};
 }
 
-// The nearest hit of a Box2D ray, as a share of it; 1 where nothing was hit.
+// The nearest hit of a Box2D ray, as a fraction of it; 1 where nothing was hit.
 class NearestHit : public b2RayCastCallback {
  public:
   float ReportFixture(b2Fixture*, const b2Vec2&, const b2Vec2&, float fraction) override {
-    share = fraction;
+    nearest = fraction;
     return fraction;
   }
-  float share = 1.0F;
+  float nearest = 1.0F;
 };
 
 b2Vec2 in_box2d(const Eigen::Vector2d& p) {
@@ -69,11 +69,11 @@ TEST(RayCrossCheck, AgreesWithBox2dOnBoxesAndColumns) {
     const Hit hit = scene.cast({{from.x(), from.y(), 0.0}, {way.x(), way.y(), 0.0}});
     // Box2D takes no notice of a shape in which the ray starts.
     if (hit.is_hit() && hit.normal.dot(Eigen::Vector3d(way.x(), way.y(), 0.0)) > 0.0) continue;
-    if (!hit.is_hit() && box2d.share == 1.0F) continue;
+    if (!hit.is_hit() && box2d.nearest == 1.0F) continue;
     ++hits;
-    // Single precision of coordinates and of shares of 30 m: some 1e-5 m, more at grazing
+    // Single precision of coordinates and of fractions of 30 m: some 1e-5 m, more at grazing
     // incidence.
-    if (!hit.is_hit() || std::abs(hit.range - kReach * box2d.share) > 1e-3) ++apart;
+    if (!hit.is_hit() || std::abs(hit.range - kReach * box2d.nearest) > 1e-3) ++apart;
   }
   EXPECT_GT(hits, 1000);
   EXPECT_LE(apart, hits / 500) << "rays that just touch a corner or an edge";
@@ -135,7 +135,7 @@ TEST(RayCrossCheck, AgreesWithBulletOnAMesh) {
     if (!hit.is_hit() && !found.hasHit()) continue;
     ++hits;
     const double bullet_range = kReach * static_cast<double>(found.m_closestHitFraction);
-    // Single precision of coordinates and of shares of 40 m, more at grazing incidence.
+    // Single precision of coordinates and of fractions of 40 m, more at grazing incidence.
     if (!hit.is_hit() || std::abs(hit.range - bullet_range) > 1e-3) ++apart;
   }
   EXPECT_GT(hits, 1500);

@@ -60,7 +60,7 @@ double Wheels::sideways_friction(const Pose2& world_from_robot) const {
 }
 
 Twist2 Wheels::acceleration(const Twist2& body, double sideways) const {
-  const double share = model_.friction * kGravity / static_cast<double>(contact_count_);
+  const double per_contact = model_.friction * kGravity / static_cast<double>(contact_count_);
   const bool steers = model_.kind == DriveKind::synchro;
   Twist2 result;
   for (std::size_t i = 0; i < contact_count_; ++i) {
@@ -74,7 +74,7 @@ Twist2 Wheels::acceleration(const Twist2& body, double sideways) const {
 
     const double slip_x = body.forward - body.turn * p.y - rolling;
     const double slip_y = sideways * (body.left + body.turn * p.x - swivelling);
-    const double push = -share / std::max(std::hypot(slip_x, slip_y), kRegularSlip);
+    const double push = -per_contact / std::max(std::hypot(slip_x, slip_y), kRegularSlip);
     const double force_x = push * slip_x;
     const double force_y = push * sideways * slip_y;
     result.forward += force_x;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/geometry/angle.h"
+#include "core/statistics/moments.h"
 #include "core/testing/is_near.h"
 
 namespace mapbed {
@@ -75,27 +76,14 @@ TEST(Wheels, OneSmallerWheelBendsTheWayButNotTheOdometry) {
   EXPECT_GT(std::abs(d.truth.theta), radians(5.0));
 }
 
-struct Moments {
-  double mean, spread;
-};
-
-Moments moments(const std::vector<double>& values) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const double v : values) sum += v;
-  const double mean = sum / static_cast<double>(values.size());
-  for (const double v : values) squares += (v - mean) * (v - mean);
-  return {mean, std::sqrt(squares / static_cast<double>(values.size()))};
-}
-
 // Five standard errors.
-void expect_moments(const std::vector<double>& values, double mean, double spread) {
+void expect_moments(const std::vector<double>& values, double mean, double sigma) {
   const double root = std::sqrt(static_cast<double>(values.size()));
-  EXPECT_NEAR(moments(values).mean, mean, 5.0 * spread / root);
-  EXPECT_NEAR(moments(values).spread, spread, 5.0 * spread / root / std::sqrt(2.0));
+  EXPECT_NEAR(mean_of(values), mean, 5.0 * sigma / root);
+  EXPECT_NEAR(sigma_of(values), sigma, 5.0 * sigma / root / std::sqrt(2.0));
 }
 
-TEST(Wheels, TheirRadiiHaveTheSpreadThatWasAskedFor) {
+TEST(Wheels, TheirRadiiHaveTheSigmaThatWasAskedFor) {
   Robot robot = robot_with(DriveKind::differential);
   robot.drive.wheel_spread = 0.01;
   std::vector<double> differences;  // of right and left radius, relative

@@ -50,9 +50,9 @@ Entity glass_pane(const World& world, double x) {
   return pane;
 }
 
-// A ray from `origin` towards a point within `spread` of the centre of the scene.
-Ray aimed(Rng& rng, const Eigen::Vector3d& origin, double spread) {
-  const Eigen::Vector3d target = spread * any_direction(rng) * rng.uniform();
+// A ray from `origin` towards a point within `reach` of the centre of the scene.
+Ray aimed(Rng& rng, const Eigen::Vector3d& origin, double reach) {
+  const Eigen::Vector3d target = reach * any_direction(rng) * rng.uniform();
   return {origin, (target - origin).normalized()};
 }
 

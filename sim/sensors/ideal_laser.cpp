@@ -13,9 +13,9 @@ constexpr double kBeyond = 1.05;  // times max_range: what cannot be read need n
 
 // Where a sub-ray runs beside the axis.
 struct SubRay {
-  double share = 0.0;   // of the light
-  double beside = 0.0;  // [m] to the left of the axis
-  double c = 1.0;       // cosine and sine of the angle to the axis
+  double fraction = 0.0;  // of the light
+  double beside = 0.0;    // [m] to the left of the axis
+  double c = 1.0;         // cosine and sine of the angle to the axis
   double s = 0.0;
 };
 
@@ -31,7 +31,7 @@ std::vector<SubRay> sub_rays_of(const LaserModel& model) {
     result.push_back({chord, offset * model.aperture / 2.0, std::cos(angle), std::sin(angle)});
     sum += chord;
   }
-  for (SubRay& ray : result) ray.share /= sum;
+  for (SubRay& ray : result) ray.fraction /= sum;
   return result;
 }
 
@@ -69,10 +69,10 @@ double cos_incidence(const Hit& hit, const Ray& ray) {
   return std::min(1.0, std::abs(hit.normal.dot(ray.direction)));
 }
 
-Echo echo_of(const Hit& hit, const Ray& ray, double share, int sub_ray,
+Echo echo_of(const Hit& hit, const Ray& ray, double fraction, int sub_ray,
              const std::vector<Material>& materials) {
   Echo echo;
-  echo.share = static_cast<float>(share);
+  echo.fraction = static_cast<float>(fraction);
   echo.sub_ray = sub_ray;
   echo.range = static_cast<float>(hit.range);  // infinite where nothing was hit
   if (!hit.is_hit()) return echo;
@@ -92,13 +92,13 @@ bool is_glass(const Hit& hit, const std::vector<Material>& materials) {
 }
 
 // Of one sub-ray; behind glass follows what stands there.
-void add_echoes(const Scene& scene, const Ray& ray, const Hit& hit, double share, int sub_ray,
+void add_echoes(const Scene& scene, const Ray& ray, const Hit& hit, double fraction, int sub_ray,
                 std::vector<Echo>& echoes) {
-  echoes.push_back(echo_of(hit, ray, share, sub_ray, scene.materials()));
+  echoes.push_back(echo_of(hit, ray, fraction, sub_ray, scene.materials()));
   if (!is_glass(hit, scene.materials())) return;
   Ray through = ray;
   through.through_glass = true;
-  echoes.push_back(echo_of(scene.cast(through), ray, share, sub_ray, scene.materials()));
+  echoes.push_back(echo_of(scene.cast(through), ray, fraction, sub_ray, scene.materials()));
 }
 
 bool is_same_surface(const Hit& a, const Hit& b) {
@@ -155,7 +155,7 @@ std::vector<BeamEchoes> cast_beams(const Scene& scene, const MountedLaser& laser
       continue;
     }
     for (std::size_t k = 0; k < width; ++k, ++next) {
-      add_echoes(scene, edge_rays[next], edge_hits[next], sub_rays[k].share, static_cast<int>(k),
+      add_echoes(scene, edge_rays[next], edge_hits[next], sub_rays[k].fraction, static_cast<int>(k),
                  result[i].echoes);
     }
   }

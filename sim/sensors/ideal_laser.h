@@ -24,8 +24,9 @@ struct BeamEchoes {
 // Sends the beams into the scene as it stands; the result has one element a beam. Beams lie in the
 // laser's own plane, which its mount may tilt. The spot of a
 // beam is as wide as its aperture and divergence make it, and evenly lit: sub-rays across it, with
-// shares as the chords of a disc. Where the axis and both outer sub-rays meet one opaque surface,
-// the axis stands for all. Behind a pane follows the first opaque surface on the same line.
+// fractions as the chords of a disc. Where the axis and both outer sub-rays meet one opaque
+// surface, the axis stands for all. Behind a pane follows the first opaque surface on the same
+// line.
 std::vector<BeamEchoes> cast_beams(const Scene& scene, const MountedLaser& laser,
                                    std::span<const AimedBeam> beams);
 

@@ -32,7 +32,7 @@ TEST(IdealLaser, AWallIsOneEchoWithRangeIncidenceAndMaterial) {
   EXPECT_NEAR(beam.truth.range, 4.0, 1e-5);
   EXPECT_NEAR(beam.echoes[0].range, 4.0, 1e-5);
   EXPECT_NEAR(beam.echoes[0].cos_incidence, std::sin(radians(30.0)), 1e-5);
-  EXPECT_EQ(beam.echoes[0].share, 1.0F);
+  EXPECT_EQ(beam.echoes[0].fraction, 1.0F);
   EXPECT_EQ(beam.truth.entity, 1);  // the north wall
   EXPECT_FLOAT_EQ(beam.echoes[0].reflectivity, static_cast<float>(world.materials[0].reflectivity));
 }
@@ -84,8 +84,8 @@ TEST(IdealLaser, ASpotOnAnEdgeIsDividedByTheChordsOfADisc) {
   double on_box = 0.0;
   double total = 0.0;
   for (const Echo& echo : beam.echoes) {
-    total += echo.share;
-    if (echo.range < 2.0F) on_box += echo.share;
+    total += echo.fraction;
+    if (echo.range < 2.0F) on_box += echo.fraction;
   }
   const double chords[] = {0.6, std::sqrt(1 - 0.16), 1.0};
   const double sum = 2 * chords[0] + 2 * chords[1] + chords[2];

@@ -13,7 +13,7 @@ struct Echo {
   float reflectivity = 0.0F;     // [0, 1]
   float cos_incidence = 1.0F;    // of the angle between beam and surface normal
   float hit_probability = 1.0F;  // below 1 for glass: else the beam goes on to the next echo
-  float share = 1.0F;            // of the beam's light that is in this sub-ray
+  float fraction = 1.0F;         // of the beam's light that is in this sub-ray
   std::int32_t sub_ray = 0;      // same number: same sub-ray, by increasing range
 };
 

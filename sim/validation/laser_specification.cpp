@@ -21,16 +21,16 @@ double normal_below(double x) {
 struct Answer {
   double probability = 1.0;
   double range = 0.0;  // [m]
-  double light = 0.0;  // share * reflectivity * cos(incidence)
+  double light = 0.0;  // fraction * reflectivity * cos(incidence)
 };
 
 struct Lit {  // a surface under the spot
   double range, light;
 };
 
-// The sub-ray's place in the spot, -1 to 1, and its share of the light.
+// The sub-ray's place in the spot, -1 to 1, and its fraction of the light.
 struct SubRay {
-  double offset, share;
+  double offset, fraction;
 };
 
 std::vector<SubRay> sub_rays_of(int count) {
@@ -39,9 +39,9 @@ std::vector<SubRay> sub_rays_of(int count) {
   for (int i = 0; i < count; ++i) {
     const double offset = (2.0 * i + 1.0) / count - 1.0;
     rays.push_back({offset, std::sqrt(1.0 - offset * offset)});
-    sum += rays.back().share;
+    sum += rays.back().fraction;
   }
-  for (SubRay& ray : rays) ray.share /= sum;
+  for (SubRay& ray : rays) ray.fraction /= sum;
   return rays;
 }
 
@@ -89,8 +89,8 @@ class Specification {
         laser_(laser),
         spot_(spot),
         sub_rays_(sub_rays_of(spot.sub_rays)),
-        shares_(reading_index(laser.max_range, laser) + 1, 0.0),
-        cell_shares_(shares_.size(), 0.0) {
+        fractions_(reading_index(laser.max_range, laser) + 1, 0.0),
+        cell_fractions_(fractions_.size(), 0.0) {
     CHECK(laser.noise.step > 0.0 && laser.noise.mixed_pixels != MixedPixels::off);
   }
 
@@ -99,14 +99,14 @@ class Specification {
     for (const Answer& answer : answers_at(y)) add(answer, weight * answer.probability);
   }
 
-  ReadingShares result() {
-    // What is uniform up to a range has the same share of every cell before it.
+  ReadingFractions result() {
+    // What is uniform up to a range has the same fraction of every cell before it.
     double sum = 0.0;
-    for (std::size_t k = shares_.size(); k-- > 0;) {
-      sum += cell_shares_[k];
-      shares_[std::max<std::size_t>(k, 1)] += k == 0 ? sum / 2.0 : sum;  // 0 is not read
+    for (std::size_t k = fractions_.size(); k-- > 0;) {
+      sum += cell_fractions_[k];
+      fractions_[std::max<std::size_t>(k, 1)] += k == 0 ? sum / 2.0 : sum;  // 0 is not read
     }
-    return std::move(shares_);
+    return std::move(fractions_);
   }
 
  private:
@@ -125,9 +125,9 @@ class Specification {
     std::vector<Lit> lit;
     for (std::size_t i = 0; i < met.size(); ++i) {
       if (one_surface && spot_.axis_alone && i != met.size() / 2) continue;
-      const double share = one_surface && spot_.axis_alone ? 1.0 : sub_rays_[i].share;
+      const double fraction = one_surface && spot_.axis_alone ? 1.0 : sub_rays_[i].fraction;
       const Meeting& m = met[i].front();
-      lit.push_back({m.range, share * reflectivity(m, world_) * m.cos_incidence});
+      lit.push_back({m.range, fraction * reflectivity(m, world_) * m.cos_incidence});
     }
     return mixed(std::move(lit), melting_of(laser_.noise));
   }
@@ -156,7 +156,7 @@ class Specification {
 
     add_uniform(laser_.max_range, random + tiny * (1.0 - seen));
     add_uniform(std::min(answer.range, laser_.max_range), tiny * seen);
-    shares_.back() += missed + plain * (1.0 - seen);
+    fractions_.back() += missed + plain * (1.0 - seen);
     add_normal(answer.range, plain * seen);
   }
 
@@ -164,14 +164,14 @@ class Specification {
     const double step = laser_.noise.step;
     const auto last = static_cast<std::size_t>(end / step + 0.5);  // the cell in which it ends
     if (last == 0) {
-      shares_[1] += weight;
+      fractions_[1] += weight;
       return;
     }
     // Cell k reaches from (k - 1/2) to (k + 1/2) steps, cell 0 from 0.
-    const std::size_t full = std::min(last, shares_.size()) - 1;
-    cell_shares_[full] += weight * step / end;
-    const std::size_t at = std::min(last, shares_.size() - 1);
-    shares_[at] += weight * (end - (static_cast<double>(last) - 0.5) * step) / end;
+    const std::size_t full = std::min(last, fractions_.size()) - 1;
+    cell_fractions_[full] += weight * step / end;
+    const std::size_t at = std::min(last, fractions_.size() - 1);
+    fractions_[at] += weight * (end - (static_cast<double>(last) - 0.5) * step) / end;
   }
 
   void add_normal(double range, double weight) {
@@ -186,7 +186,8 @@ class Specification {
     for (long k = cell(mean - kTails * sigma); k <= cell(mean + kTails * sigma); ++k) {
       const double border = (static_cast<double>(k) + 0.5) * noise.step;
       const double now = sigma > 0.0 ? normal_below((border - mean) / sigma) : 1.0;
-      shares_[reading_index(static_cast<double>(k) * noise.step, laser_)] += weight * (now - below);
+      fractions_[reading_index(static_cast<double>(k) * noise.step, laser_)] +=
+          weight * (now - below);
       below = now;
     }
   }
@@ -196,8 +197,8 @@ class Specification {
   SpotModel spot_;
   World world_;  // for its materials
   std::vector<SubRay> sub_rays_;
-  ReadingShares shares_;
-  std::vector<double> cell_shares_;  // [k]: share of every cell up to k, the first one half
+  ReadingFractions fractions_;
+  std::vector<double> cell_fractions_;  // [k]: fraction of every cell up to k, the first one half
 };
 
 }  // namespace
@@ -207,12 +208,12 @@ SpotModel spot_model_of(const LaserModel& laser) {
   return {.sub_rays = is_line ? 1 : laser.sub_rays | 1};
 }
 
-ReadingShares specified_shares(const LaserTarget& target, const LaserModel& laser,
-                               const SpotModel& spot, int places) {
+ReadingFractions specified_fractions(const LaserTarget& target, const LaserModel& laser,
+                                     const SpotModel& spot, int places) {
   Specification specification(target, laser, spot);
-  const int count = target.spread > 0.0 ? places : 1;
+  const int count = target.half_width > 0.0 ? places : 1;
   for (int i = 0; i < count; ++i) {
-    specification.add_place(((2.0 * i + 1.0) / count - 1.0) * target.spread, 1.0 / count);
+    specification.add_place(((2.0 * i + 1.0) / count - 1.0) * target.half_width, 1.0 / count);
   }
   return specification.result();
 }

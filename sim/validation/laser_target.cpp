@@ -58,13 +58,13 @@ LaserTarget glass_target(double distance, double incidence, double gap) {
 
 LaserTarget edge_target(const LaserModel& laser, double distance, double gap) {
   return {.flats = {{distance, 0.0, "plaster", true}, {distance + gap, 0.0, "plaster"}},
-          .spread = half_spot(laser, distance)};
+          .half_width = half_spot(laser, distance)};
 }
 
 LaserTarget leg_target(const LaserModel& laser, double distance, double radius, double gap) {
   return {.flats = {{distance + gap, 0.0, "plaster"}},
           .rounds = {{distance, radius, "clothes"}},
-          .spread = radius + half_spot(laser, distance)};
+          .half_width = radius + half_spot(laser, distance)};
 }
 
 World world_of(const LaserTarget& target) {

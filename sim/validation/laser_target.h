@@ -10,8 +10,8 @@
 
 namespace mapbed {
 
-// What a single beam is sent at. The laser stands at (0, y), y anywhere in [-spread, spread], and
-// looks along x.
+// What a single beam is sent at. The laser stands at (0, y), y anywhere in [-half_width,
+// half_width], and looks along x.
 struct LaserTarget {
   // A wall seen from above, without end but where `below` says so.
   struct Flat {
@@ -27,7 +27,7 @@ struct LaserTarget {
   };
   std::vector<Flat> flats;
   std::vector<Round> rounds;
-  double spread = 0.0;  // [m]
+  double half_width = 0.0;  // [m]
 };
 
 LaserTarget wall_target(const std::string& material, double distance, double incidence);

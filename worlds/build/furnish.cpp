@@ -58,11 +58,11 @@ void place_meeting_table(FurniturePlacer& placer, const World& world,
 }  // namespace
 
 Pose2 pose_at_wall(const Eigen::AlignedBox2d& room, double from_wall, Rng& rng) {
-  const double share = rng.uniform();
+  const double fraction = rng.uniform();
   const Eigen::Vector2d low = room.min();
   const Eigen::Vector2d high = room.max();
-  const double x = low.x() + share * (high.x() - low.x());
-  const double y = low.y() + share * (high.y() - low.y());
+  const double x = low.x() + fraction * (high.x() - low.x());
+  const double y = low.y() + fraction * (high.y() - low.y());
   switch (rng.index(4)) {
     case 0:
       return {x, low.y() + from_wall, kPi / 2};

@@ -52,13 +52,13 @@ void add_side(World& world, const CorridorPlan& plan, bool north, const Corridor
   const double y = north ? plan.width + kWall / 2 : -kWall / 2;
   Wall wall{north ? "north wall" : "south wall", {-kWall / 2, y}, {plan.length + kWall / 2, y}};
   for (const double at : north ? plan.north_doors : plan.south_doors) {
-    const double share_open = o.door_mean_open + o.door_mean_shut > 0.0
-                                  ? o.door_mean_open / (o.door_mean_open + o.door_mean_shut)
-                                  : 0.0;
+    const double fraction_open = o.door_mean_open + o.door_mean_shut > 0.0
+                                     ? o.door_mean_open / (o.door_mean_open + o.door_mean_shut)
+                                     : 0.0;
     wall.openings.push_back({.at = at + kWall / 2,
                              .width = kDoorWidth,
                              .kind = OpeningKind::door,
-                             .door = {.starts_open = rng.uniform() < share_open,
+                             .door = {.starts_open = rng.uniform() < fraction_open,
                                       .hinge_at_end = rng.uniform() < 0.5,
                                       .opens_left = north,
                                       .mean_open = o.door_mean_open,

@@ -119,7 +119,7 @@ class WorldReader {
       material.name = name;
       read_options(entry, options_of(material));
       if (const ConfigNode* color = entry.find("color")) {
-        const std::vector<double> rgb = color->numbers(Unit::none, kShare);
+        const std::vector<double> rgb = color->numbers(Unit::none, kFraction);
         if (rgb.size() != 3) {
           throw InputError(color->place(), "a color has three numbers", "write [red, green, blue]");
         }

@@ -105,8 +105,8 @@ double point_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
                         const Eigen::Vector2d& b) {
   const Eigen::Vector2d way = b - a;
   const double length2 = way.squaredNorm();
-  const double share = length2 > 0.0 ? std::clamp((p - a).dot(way) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - share * way).norm();
+  const double fraction = length2 > 0.0 ? std::clamp((p - a).dot(way) / length2, 0.0, 1.0) : 0.0;
+  return (p - a - fraction * way).norm();
 }
 
 bool segments_cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,

@@ -13,7 +13,7 @@ namespace mapbed {
 struct Material {
   std::string name = {};
   Eigen::Vector3d color = {0.7, 0.7, 0.7};  // red, green, blue in [0, 1], as on a screen
-  double reflectivity = 0.5;  // share of laser light that comes back diffusely, [0, 1]
+  double reflectivity = 0.5;  // fraction of laser light that comes back diffusely, [0, 1]
 
   // Glass. A laser beam passes straight through with probability `transmittance`, except near the
   // normal, where the pane mirrors it back into the receiver; see hit_probability().
@@ -30,10 +30,12 @@ struct Material {
 // All but the name and the color, which is three numbers.
 template <class Visitor>
 void visit_fields(Material& m, Visitor&& visit) {
-  visit("reflectivity", m.reflectivity, kShare, "share of laser light that comes back diffusely");
-  visit("transmittance", m.transmittance, kShare,
+  visit("reflectivity", m.reflectivity, kFraction,
+        "fraction of laser light that comes back diffusely");
+  visit("transmittance", m.transmittance, kFraction,
         "probability that a laser beam passes straight through; 0: opaque");
-  visit("specular_hit", m.specular_hit, kShare, "of glass: probability of a hit along the normal");
+  visit("specular_hit", m.specular_hit, kFraction,
+        "of glass: probability of a hit along the normal");
   visit("specular_width", m.specular_width, Unit::radian, kPositive,
         "of glass: standard deviation of that peak");
   visit("permittivity", m.permittivity, at_least(1), "relative, at 915 MHz");

@@ -125,13 +125,13 @@ NamedPath path(const std::string& name, const std::vector<std::vector<WayPoint>>
   return result;
 }
 
-// The first way of a closed round, as far as its share says.
-std::vector<WayPoint> beginning(const std::vector<WayPoint>& round, double share) {
+// The first way of a closed round, as far as its fraction says.
+std::vector<WayPoint> beginning(const std::vector<WayPoint>& round, double fraction) {
   const auto side = [&](std::size_t i) -> Eigen::Vector2d {
     return round[(i + 1) % round.size()].position - round[i].position;
   };
   double left = 0.0;
-  for (std::size_t i = 0; i < round.size(); ++i) left += share * side(i).norm();
+  for (std::size_t i = 0; i < round.size(); ++i) left += fraction * side(i).norm();
   std::vector<WayPoint> way;
   for (std::size_t i = 0; left > 0.0 && i < round.size(); ++i) {
     const double length = std::min(left, side(i).norm());

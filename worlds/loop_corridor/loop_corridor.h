@@ -22,7 +22,7 @@ struct LoopCorridorOptions {
   double small_width = 12.0;    // [m] of the small loop along y, outside
   double features = 1.0;        // doors, piers and furniture: 0 bare walls, 1 as usual
   int rounds = 3;
-  double last_round = 0.0;  // share of one more large round at the end of `rounds`
+  double last_round = 0.0;  // fraction of one more large round at the end of `rounds`
   int walkers = 0;
 };
 
@@ -37,7 +37,7 @@ void visit_fields(LoopCorridorOptions& o, Visitor&& visit) {
   visit("small_width", o.small_width, Unit::meter, between(6, 1000), "of the small loop");
   visit("features", o.features, between(0, 2), "doors, piers, furniture; 0: bare walls");
   visit("rounds", o.rounds, between(1, 100), "of the path `rounds`");
-  visit("last_round", o.last_round, kShare, "of one more large round, at the end of `rounds`");
+  visit("last_round", o.last_round, kFraction, "of one more large round, at the end of `rounds`");
   visit("walkers", o.walkers, between(0, 500), "people who walk about");
 }
 

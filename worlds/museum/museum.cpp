@@ -18,7 +18,7 @@ constexpr double kWall = 0.4;        // [m]
 constexpr double kPierDepth = 0.8;   // [m] of the piers, and so of the niches between them
 constexpr double kClearance = 0.45;  // [m] of the paths
 
-// Lanes at which people and robots walk, as shares of the hall; exhibits stand between them.
+// Lanes at which people and robots walk, as fractions of the hall; exhibits stand between them.
 constexpr std::array<double, 5> kLanesX = {0.1, 0.3, 0.5, 0.7, 0.9};
 constexpr std::array<double, 6> kLanesY = {0.08, 0.24, 0.42, 0.6, 0.77, 0.93};
 
@@ -236,7 +236,7 @@ World build_museum(const MuseumOptions& options) {
   world.crowd.walkers = options.walkers;
   world.crowd.standing = options.standing;
   world.crowd.blockers = options.blockers;
-  world.crowd.pause_share = 0.5;
+  world.crowd.pause_fraction = 0.5;
   world.crowd.mean_pause = 8.0;
 
   Curator curator(world, rng);

@@ -20,7 +20,7 @@ struct OfficeOptions {
   double room_depth = 5.6;      // [m] of the outer rooms
   int rooms_a_side = 5;         // outer rooms, along the south and the north side
   int inner_rooms = 3;          // on either half of the block inside the ring
-  double open_rooms = 0.75;     // share of the rooms that stand open
+  double open_rooms = 0.75;     // fraction of the rooms that stand open
   double furniture = 1.0;       // how full: 0 none, 1 as usual
   bool glass_wall = true;
   int walkers = 0;
@@ -36,7 +36,7 @@ void visit_fields(OfficeOptions& o, Visitor&& visit) {
   visit("room_depth", o.room_depth, Unit::meter, between(3, 20), "of the outer rooms");
   visit("rooms_a_side", o.rooms_a_side, between(3, 30), "outer rooms along one side");
   visit("inner_rooms", o.inner_rooms, between(1, 20), "rooms on either half of the inner block");
-  visit("open_rooms", o.open_rooms, kShare, "share of the rooms that stand open");
+  visit("open_rooms", o.open_rooms, kFraction, "fraction of the rooms that stand open");
   visit("furniture", o.furniture, between(0, 2), "how full the rooms are; 1: as usual");
   visit("glass_wall", o.glass_wall, "the meeting room stands behind a wall of glass");
   visit("walkers", o.walkers, between(0, 500), "people who walk about");

@@ -47,10 +47,10 @@ for (const box of document.querySelectorAll(".replay")) {
     const i = index(track.t, t);
     if (i < 0 || (i === track.t.length - 1 && t > track.t[i] + 0.5)) return null;
     if (i === track.t.length - 1) return { x: track.x[i], y: track.y[i], a: track.a[i] };
-    const share = (t - track.t[i]) / Math.max(track.t[i + 1] - track.t[i], 1e-9);
-    return { x: track.x[i] + share * (track.x[i + 1] - track.x[i]),
-             y: track.y[i] + share * (track.y[i + 1] - track.y[i]),
-             a: track.a[i] + share * turn(track.a[i + 1] - track.a[i]) };
+    const fraction = (t - track.t[i]) / Math.max(track.t[i + 1] - track.t[i], 1e-9);
+    return { x: track.x[i] + fraction * (track.x[i + 1] - track.x[i]),
+             y: track.y[i] + fraction * (track.y[i + 1] - track.y[i]),
+             a: track.a[i] + fraction * turn(track.a[i + 1] - track.a[i]) };
   };
   const scanTimes = (run.scans || []).map((scan) => scan.t);
 
