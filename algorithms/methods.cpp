@@ -24,6 +24,16 @@ void check_together(const GridSlamOptions& options, const Settings& settings) {
                    "choose proposal 'scan_matching' or 'improved', or leave use_odometry as it is");
 }
 
+// Only the particle filter has options that name files. A wrong name is told by options_from.
+template <class Options>
+InputFiles files_named_in(const Settings& /*settings*/, const Options& /*of_method*/) {
+  return {};
+}
+
+InputFiles files_named_in(const Settings& settings, const GridSlamOptions& /*of_method*/) {
+  return learned_model_files(settings);
+}
+
 template <class Options>
 Options options_from(Options options, const Settings& settings, const std::string& name) {
   apply(settings, options_of(options), name);
@@ -42,15 +52,18 @@ template <class Class, class Options>
 Method method(const std::string& name, const std::string& about, const Options& defaults = {}) {
   return {name, about, [name, defaults](const Settings& settings) -> ConfiguredMethod {
             Options options = options_from(defaults, settings, name);
+            InputFiles files = files_named_in(settings, options);
             const std::string yaml = to_yaml(options_of(options));
-            return {yaml, [options](const Given& given, [[maybe_unused]] Rng rng) {
+            return {yaml,
+                    [options](const Given& given, [[maybe_unused]] Rng rng) {
                       const Pose2 start = given.start.value_or(Pose2{});
                       if constexpr (std::is_constructible_v<Class, Options, Rng, Pose2>) {
                         return std::unique_ptr<Estimator>(new Class(options, rng, start));
                       } else {
                         return std::unique_ptr<Estimator>(new Class(options, start));
                       }
-                    }};
+                    },
+                    std::move(files)};
           }};
 }
 

@@ -32,7 +32,19 @@ bool looks_like_path(const std::string& text) {
   return text.find('/') != std::string::npos || text.ends_with(".yaml");
 }
 
+bool is_surely_path(const std::string& text) {
+  return text.ends_with(".yaml") || text.starts_with("./") || text.starts_with("../");
+}
+
 }  // namespace
+
+std::string with_whole_path(const std::string& value, const SourceLocation& place) {
+  const bool may_be_path = value.find_first_of("/.") != std::string::npos;
+  if (!may_be_path || value.find_first_of("\n[{") != std::string::npos) return value;
+  const fs::path folder = place.line > 0 ? fs::path(place.file).parent_path() : fs::path();
+  const fs::path path = fs::absolute(folder / value).lexically_normal();
+  return is_surely_path(value) || is_file(path) ? path.string() : value;
+}
 
 std::filesystem::path data_home() {
   if (const char* home = std::getenv("MAPBED_HOME"); home != nullptr && *home != '\0') {
@@ -64,6 +76,18 @@ std::filesystem::path find_data_file(const std::string& kind, const std::string&
   for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
   throw InputError("unknown " + kind + " '" + name_or_path + "'; " +
                    (near.empty() ? "known are " + known : "did you mean '" + near + "'?"));
+}
+
+std::string portable_path(const std::string& path) {
+  std::vector<fs::path> folders = {data_home()};
+  const char* const data = std::getenv("MAPBED_DATA");
+  if (data != nullptr && *data != '\0') folders.emplace_back(data);
+  for (const fs::path& folder : folders) {
+    const fs::path below =
+        fs::path(path).lexically_relative(fs::absolute(folder).lexically_normal());
+    if (!below.empty() && *below.begin() != "..") return below.string();
+  }
+  return path;
 }
 
 std::vector<std::string> data_names(const std::string& folder) {

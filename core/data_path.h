@@ -6,6 +6,8 @@
 
 namespace mapbed {
 
+struct SourceLocation;
+
 // The folder that holds robots/, scenarios/ and the like: the environment's MAPBED_HOME; else the
 // installed share/mapbed beside the running program, or where the library was installed; else the
 // source tree. Throws InputError where MAPBED_HOME names no folder or where none of them exists.
@@ -16,6 +18,17 @@ std::filesystem::path data_home();
 // what the message calls it ("robot").
 std::filesystem::path find_data_file(const std::string& kind, const std::string& folder,
                                      const std::string& name_or_path);
+
+// Where the file is that a value names, from the root: a relative path counts from the folder of
+// the file in which the value stands, `place`; one without a line stands on the command line, and
+// counts from the working folder. Every other value stays as it is. A path ends in .yaml, begins
+// with ./ or
+// ../, or has a '/' or '.' and leads to a file.
+std::string with_whole_path(const std::string& value, const SourceLocation& place);
+
+// A file's path on every machine: below data_home() or the environment's MAPBED_DATA, counted from
+// there ("robots/b21r.yaml"); else as it is.
+std::string portable_path(const std::string& path);
 
 // The names of the .yaml files in a folder of data_home(), sorted.
 std::vector<std::string> data_names(const std::string& folder);

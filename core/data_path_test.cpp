@@ -1,10 +1,13 @@
 #include "core/data_path.h"
 
 #include <cstdlib>
+#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/input_error.h"
+#include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
 
 namespace mapbed {
@@ -44,6 +47,37 @@ TEST(DataPath, UnknownNamesGetASuggestion) {
                      "unknown robot 'pionier'; did you mean 'pioneer'?");
   EXPECT_INPUT_ERROR(find_data_file("robot", "robots", "my/robot.yaml"),
                      "my/robot.yaml: there is no such file");
+}
+
+TEST(WholePath, CountsFromTheFolderOfTheFileThatNamesIt) {
+  const SourceLocation place{"/home/ann/scenarios/x.yaml", 3};
+  EXPECT_EQ(with_whole_path("room.yaml", place), "/home/ann/scenarios/room.yaml");
+  EXPECT_EQ(with_whole_path("../worlds/room.yaml", place), "/home/ann/worlds/room.yaml");
+  EXPECT_EQ(with_whole_path("/data/room.yaml", place), "/data/room.yaml");
+  EXPECT_EQ(with_whole_path("./drive.log", place), "/home/ann/scenarios/drive.log");
+}
+
+TEST(WholePath, OnTheCommandLineCountsFromTheWorkingFolder) {
+  EXPECT_EQ(with_whole_path("./a/room.yaml", {"--set world=./a/room.yaml", 0}),
+            (std::filesystem::current_path() / "a/room.yaml").string());
+}
+
+TEST(PortablePath, CountsFromTheFolderOfTheDataFiles) {
+  const Home home("/tmp");
+  EXPECT_EQ(portable_path("/tmp/robots/b21r.yaml"), "robots/b21r.yaml");
+  EXPECT_EQ(portable_path("/home/ann/b21r.yaml"), "/home/ann/b21r.yaml");
+  EXPECT_EQ(portable_path("/tmpfs/b21r.yaml"), "/tmpfs/b21r.yaml");
+}
+
+TEST(WholePath, LeavesAloneWhatNamesNoFile) {
+  const TemporaryFolder folder;
+  const SourceLocation place{folder.file("x.yaml"), 1};
+  for (const char* value :
+       {"office", "0.5 m/s", "1.5", "drive.log", "logs/drive.log", "[1.5, 2]"}) {
+    EXPECT_EQ(with_whole_path(value, place), value);
+  }
+  std::ofstream(folder.file("drive.log")) << "a log";
+  EXPECT_EQ(with_whole_path("drive.log", place), folder.file("drive.log"));
 }
 
 }  // namespace

@@ -31,13 +31,14 @@ MountedSensor mounted_sensor(const ConfigNode& entry) {
   refuse_old_key(entry, "height", "z");
   MountedSensor sensor;
   sensor.name = entry.at("name").text();
-  sensor.file = entry.at("sensor").text();
+  const ConfigNode& file = entry.at("sensor");
+  sensor.file = with_whole_path(file.text(), file.place());
   try {
     sensor.model = load_sensor(sensor.file);
   } catch (const InputError& error) {
     const std::string message = error.what();
     if (!message.starts_with("unknown sensor")) throw;
-    throw InputError(entry.at("sensor").place(), message);
+    throw InputError(file.place(), message);
   }
   read_options(entry, options_of(sensor));
   check_sensor(sensor.model, entry.place());
@@ -82,13 +83,17 @@ std::vector<MountedLaser> lasers_of(const Robot& robot) {
 
 Robot load_robot(const std::string& name_or_path) {
   const auto path = find_data_file("robot", "robots", name_or_path);
-  const ConfigNode file = load_config(path.string());
   Robot robot;
+  robot.files = {input_file(path.string())};
+  const ConfigNode file = load_config(path.string());
   robot.name = path.stem().string();
   // Before there are sensors, whose names are not keys of the file.
   read_options(file, options_of(robot));
   check_footprint(file.at("footprint"), robot.footprint);
   robot.sensors = sensors_of(file);
+  for (const MountedSensor& sensor : robot.sensors) {
+    merge({input_file(sensor_file(sensor.file))}, robot.files);
+  }
   file.check_all_used("the robot");
   return robot;
 }

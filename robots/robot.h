@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/config/option.h"
+#include "core/file/input_file.h"
 #include "core/sensor/mount.h"
 #include "robots/drive_model.h"
 #include "robots/odometry_model.h"
@@ -24,7 +25,7 @@ struct RobotFootprint {
 // A sensor on the robot.
 struct MountedSensor {
   std::string name;  // "front"
-  std::string file;  // the sensor file's name or path, "sick_lms200"
+  std::string file;  // the sensor file's name, "sick_lms200", or its path from the root
   Mount robot_from_sensor{.planar = {}, .z = 0.4};
   SensorModel model;
 };
@@ -39,6 +40,7 @@ struct Robot {
   DriveModel drive;
   OdometryModel odometry;
   std::vector<MountedSensor> sensors;  // in the order of the robot's file
+  InputFiles files;                    // its own and those of its sensors
 };
 
 // A laser of a robot, taken out of its sensors.
@@ -81,8 +83,8 @@ void visit_fields(Robot& o, Visitor&& visit) {
   for (MountedSensor& sensor : o.sensors) visit(sensor.name, sensor, "a sensor and its mount");
 }
 
-// By name (robots/NAME.yaml) or by the path of a robot file. Throws InputError with place, reason
-// and remedy.
+// By name (robots/NAME.yaml) or by the path of a robot file; paths in it are relative to its
+// folder. Throws InputError with place, reason and remedy.
 Robot load_robot(const std::string& name_or_path);
 
 std::vector<std::string> robot_names();

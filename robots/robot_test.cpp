@@ -6,6 +6,7 @@
 #include "core/config/settings.h"
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
+#include "core/testing/temporary_folder.h"
 
 namespace mapbed {
 namespace {
@@ -49,6 +50,19 @@ TEST(Robot, EveryShippedRobotAndSensorLoads) {
     EXPECT_FALSE(lasers_of(robot).empty());
   }
   for (const std::string& name : sensor_names()) EXPECT_GT(load_laser(name).beams, 0);
+}
+
+TEST(Robot, FindsItsSensorsBesideItsFileAndTellsTheFiles) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("sensors"));
+  std::ofstream(folder.file("sensors/tiny.yaml")) << "beams: 3\n";
+  std::ofstream(folder.file("ours.yaml"))
+      << "footprint: {radius: 20 cm}\nsensors: [{name: front, sensor: sensors/tiny.yaml}]\n";
+  const Robot robot = load_robot(folder.file("ours.yaml"));
+  EXPECT_EQ(lasers_of(robot).at(0).model.beams, 3);
+  ASSERT_EQ(robot.files.size(), 2u);
+  EXPECT_EQ(robot.files[0].path, folder.file("ours.yaml"));
+  EXPECT_EQ(robot.files[1].path, folder.file("sensors/tiny.yaml"));
 }
 
 TEST(Robot, TakesWhatItsFileSaysInSiUnits) {

@@ -50,9 +50,12 @@ SensorModel model_by_kind(const ConfigNode& file) {
 
 }  // namespace
 
+std::string sensor_file(const std::string& name_or_path) {
+  return find_data_file("sensor", "robots/sensors", name_or_path).string();
+}
+
 SensorModel load_sensor(const std::string& name_or_path) {
-  const auto path = find_data_file("sensor", "robots/sensors", name_or_path);
-  const ConfigNode file = load_config(path.string());
+  const ConfigNode file = load_config(sensor_file(name_or_path));
   const SensorModel model = model_by_kind(file);
   check_sensor(model, file.place());
   file.check_all_used("the sensor");

@@ -13,7 +13,10 @@ namespace mapbed {
 // the table of sensor_model.cpp.
 using SensorModel = std::variant<LaserModel>;
 
-// By name (robots/sensors/NAME.yaml) or by the path of a sensor file, whose `kind` says what it is;
+// The file of a name (robots/sensors/NAME.yaml) or of a path. Throws InputError.
+std::string sensor_file(const std::string& name_or_path);
+
+// By name or by the path of a sensor file, whose `kind` says what it is;
 // without one it is a laser. Throws InputError with place, reason and remedy.
 SensorModel load_sensor(const std::string& name_or_path);
 LaserModel load_laser(const std::string& name_or_path);

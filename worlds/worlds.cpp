@@ -1,10 +1,7 @@
 #include "worlds/worlds.h"
 
-#include <memory>
-
 #include "core/config/suggestion.h"
 #include "core/data_path.h"
-#include "core/file/hash.h"
 #include "core/input_error.h"
 #include "worlds/corridor/corridor.h"
 #include "worlds/file/world_file.h"
@@ -27,12 +24,6 @@ WorldKind kind(const std::string& name, const std::string& about, World (*build)
                                          return world;
                                        }};
           }};
-}
-
-// The world as it is in the file now, for as long as it is asked for.
-Configured<World()> configure_file(const std::string& path, const Settings& settings) {
-  const auto world = std::make_shared<const World>(load_world(path, settings));
-  return {"# sha256: " + sha256_of_file(path) + "\n", [world] { return *world; }};
 }
 
 }  // namespace
@@ -58,14 +49,16 @@ std::vector<std::string> world_file_names() {
 }
 
 Configured<World()> configure_world(const std::string& name, const Settings& settings) {
-  if (name.ends_with(".yaml")) return configure_file(name, settings);
+  if (name.ends_with(".yaml")) return configure_world_file(name, settings);
   std::vector<std::string> names;
   for (const WorldKind& world : world_kinds()) {
     if (world.name == name) return world.configure(settings);
     names.push_back(world.name);
   }
   for (const std::string& file : world_file_names()) {
-    if (file == name) return configure_file(find_data_file("world", "worlds", name), settings);
+    if (file == name) {
+      return configure_world_file(find_data_file("world", "worlds", name).string(), settings);
+    }
     names.push_back(file);
   }
   throw InputError("unknown world '" + name + "'; " + suggestion(name, names));

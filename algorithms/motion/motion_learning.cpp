@@ -77,9 +77,12 @@ double squared_error(const MotionSample& sample, const PosePrior& prior) {
   return error.dot(prior.information * error);
 }
 
+std::string path_of_model(const std::string& name_or_path) {
+  return find_data_file("motion model", "algorithms/motion/motion_models", name_or_path).string();
+}
+
 Settings settings_of_model(const std::string& name_or_path) {
-  return load_settings(
-      find_data_file("motion model", "algorithms/motion/motion_models", name_or_path).string());
+  return load_settings(path_of_model(name_or_path));
 }
 
 // The same, but a wrong name is told with its place.
@@ -90,6 +93,12 @@ Settings model_settings_named_by(const Setting& setting) {
     if (setting.place.file.empty()) throw;
     throw InputError(setting.place, error.what());
   }
+}
+
+// `odometry_errors: pioneer_odometry`
+bool names_model(const Setting& setting) {
+  const bool is_model = setting.path == "odometry_errors" || setting.path == "matching_errors";
+  return is_model && !setting.text.empty() && setting.text.front() != '{';
 }
 
 }  // namespace
@@ -170,12 +179,22 @@ MotionModelOptions load_motion_model(const std::string& name_or_path) {
   return model;
 }
 
+InputFile motion_model_file(const std::string& name_or_path) {
+  return input_file(path_of_model(name_or_path));
+}
+
+InputFiles learned_model_files(const Settings& settings) {
+  InputFiles files;
+  for (const Setting& setting : settings) {
+    if (names_model(setting)) files.push_back(motion_model_file(setting.text));
+  }
+  return files;
+}
+
 Settings with_learned_models(const Settings& settings) {
   Settings result;
   for (const Setting& setting : settings) {
-    const bool is_model = setting.path == "odometry_errors" || setting.path == "matching_errors";
-    const bool is_name = is_model && !setting.text.empty() && setting.text.front() != '{';
-    if (!is_name) {
+    if (!names_model(setting)) {
       result.push_back(setting);
       continue;
     }

@@ -5,6 +5,7 @@
 
 #include "algorithms/motion/motion_model.h"
 #include "core/config/settings.h"
+#include "core/file/input_file.h"
 
 namespace mapbed {
 
@@ -45,8 +46,12 @@ double autocorrelation_of(const std::vector<MotionSample>& samples,
 // InputError.
 MotionModelOptions load_motion_model(const std::string& name_or_path);
 
+InputFile motion_model_file(const std::string& name_or_path);  // throws InputError
+
 // Settings of a filter, with its error models by name taken from their files: what stands there as
 // `odometry_errors: pioneer_odometry` becomes a setting of each parameter. Throws InputError.
 Settings with_learned_models(const Settings& settings);
+
+InputFiles learned_model_files(const Settings& settings);  // that are named so
 
 }  // namespace mapbed

@@ -73,7 +73,8 @@ ChosenLog chosen_log(const std::string& log) {
   }
   if (!description.ends_with(".yaml")) return {log, {}};
   const LogDescription found = load_log_description(description);
-  return {find_stored(found, found.log), found.options};
+  HashedFiles files;
+  return {find_stored(found, found.log, files).path, found.options};
 }
 
 // "intel.clf.gz" -> "intel"

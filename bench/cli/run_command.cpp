@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,7 +16,9 @@
 #include "bench/process/thread_limit.h"
 #include "bench/results/figures.h"
 #include "bench/results/result_tables.h"
+#include "bench/scenario/identity.h"
 #include "bench/scenario/run_scenario.h"
+#include "bench/sources/files_record.h"
 #include "core/file/csv_file.h"
 #include "core/input_error.h"
 
@@ -46,6 +49,21 @@ std::vector<std::string> command_of(const RunArguments& a) {
   if (a.seed) command.insert(command.end(), {"--seed", fmt::to_string(*a.seed)});
   for (const std::string& setting : a.settings) command.insert(command.end(), {"--set", setting});
   return command;
+}
+
+// Why runs of an older result do not count any more, or do not come out as a config.yaml that is
+// run again says, where files are the reason.
+void tell_changed_files(const std::string& folder, const ScenarioPlan& plan) {
+  const InputFiles files = input_files(plan);
+  const auto tell = [&files](const std::string& config, const char* meaning) {
+    const std::string changes = told_changes(config, files);
+    if (!changes.empty()) fmt::print(stderr, "remark: {}; {}\n", changes, meaning);
+  };
+  const std::string of_folder = folder + "/config.yaml";
+  tell(of_folder, "all runs are done anew");
+  std::error_code none;
+  if (std::filesystem::equivalent(of_folder, plan.scenario.path, none)) return;
+  tell(plan.scenario.path, "the results may be others");
 }
 
 void print_claims(const Results& results) {
@@ -100,6 +118,7 @@ int run(const RunArguments& arguments) {
                              .command = command_of(arguments)};
   options.threads = arguments.threads > 0 ? arguments.threads : processors();
   make_output_folder(options.folder);
+  tell_changed_files(options.folder, plan);
   const ScenarioRun result = [&] {
     Progress progress(plan.scenario.id, plan.runs_to_do().size());
     return run_scenario(plan, options, [&](std::size_t done, std::size_t) {
@@ -137,7 +156,7 @@ Command run_command() {
                       {"--set", &a->settings,
                        "path=value, any option, also 'seeds=10' and the values of an axis: "
                        "'people=[0, 5]'; may come again"},
-                      {"--out", &a->folder, "folder for the results; results/NAME if left out"},
+                      {"-o,--out", &a->folder, "folder for the results; results/NAME if left out"},
                       {"--run", &a->run, "repeat the run of this number alone and print its row"},
                       {"--restart", &a->restart, "throw away what an interrupted start has done"},
                       {"--strict", &a->strict, "exit status 2 where a claim does not hold"}},

@@ -131,6 +131,26 @@ TEST_F(RunCommand, OtherPlotsAndClaimsNeedNoOtherRuns) {
   EXPECT_FALSE(fs::exists(figure));
 }
 
+TEST_F(RunCommand, AnEditedFileIsToldAndRunAnew) {
+  write("room.yaml", "start: corridor\n");
+  write("own.yaml",
+        "world: room.yaml\nrobot: pioneer\npeople: 0\nrecorder.longest: 1 s\n"
+        "estimator: odometry\nmetrics: [path_length]\n");
+  const auto run_own = [&] { return call({"run", "./own.yaml", "--out", "r"}); };
+  EXPECT_EQ(run_own().err, "");
+  EXPECT_THAT(run_own().out, HasSubstr("1 were done before"));
+  write("room.yaml", "start: corridor\noptions: {length: 14 m}\n");
+  const Outcome anew = run_own();
+  EXPECT_EQ(anew.status, 0);
+  EXPECT_EQ(anew.err, "remark: " + path("room.yaml") +
+                          " changed since r/config.yaml was written; all runs are done anew\n");
+  EXPECT_THAT(anew.out, HasSubstr("0 were done before"));
+  write("room.yaml", "start: corridor\n");
+  EXPECT_THAT(call({"run", "r/config.yaml", "--out", "s"}).err,
+              HasSubstr("room.yaml changed since r/config.yaml was written; the results may be "
+                        "others"));
+}
+
 TEST_F(RunCommand, TheExitStatusTellsWhetherClaimsHold) {
   write("no.yaml", "base: drives.yaml\nseeds: 1\nclaims: [{metric: largest_error, below: 0 m}]\n");
   const auto status = [&](std::vector<std::string> more) {
@@ -171,16 +191,17 @@ TEST_F(RunCommand, ALogThatIsNotHereIsSkippedInWords) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("2 runs, 0 of them failed"));
   EXPECT_THAT(outcome.out,
-              HasSubstr("remark: the log './away.yaml' is not here (away.log): 2 runs skipped; set "
-                        "MAPBED_DATA to the folder that holds it"));
+              HasSubstr("remark: the log '" + path("away.yaml") +
+                        "' is not here (away.log): 2 runs skipped; set MAPBED_DATA to the folder "
+                        "that holds it"));
   EXPECT_THAT(outcome.out, HasSubstr("not judged"));
   EXPECT_EQ(load_results(path("r")).runs.size(), 2u);
   EXPECT_THAT(read_text_file(path("r/report.html")), HasSubstr("is not here (away.log)"));
 
   const Outcome none = call({"run", "./real.yaml", "--set", "log=./away.yaml"});
   EXPECT_EQ(none.status, 1);
-  EXPECT_THAT(none.err, HasSubstr("real.yaml: the log './away.yaml' is not here (away.log); set "
-                                  "MAPBED_DATA"));
+  EXPECT_THAT(none.err, HasSubstr("real.yaml: the log '" + path("away.yaml") +
+                                  "' is not here (away.log); set MAPBED_DATA"));
 }
 
 TEST_F(RunCommand, TwoAtOnceInOneFolderAreOneTooMany) {

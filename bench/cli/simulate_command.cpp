@@ -9,7 +9,9 @@
 #include "bench/cli/commands.h"
 #include "bench/process/stopwatch.h"
 #include "bench/scenario/scenario_log.h"
+#include "bench/sources/files_record.h"
 #include "bench/sources/log_source.h"
+#include "core/data_path.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -32,7 +34,9 @@ struct SimulateArguments {
 ScenarioChoice choice_of(const SimulateArguments& a) {
   ScenarioChoice choice{.seed = a.seed};
   const auto set = [&](const char* path, const std::string& text) {
-    if (!text.empty()) choice.settings.push_back({path, text, {std::string("--") + path, 0}});
+    if (text.empty()) return;
+    const SourceLocation place{std::string("--") + path, 0};
+    choice.settings.push_back({path, with_whole_path(text, place), place});
   };
   set("world", a.world);
   set("robot", a.robot);
@@ -52,7 +56,10 @@ SimulationToRun simulation_of(const SimulateArguments& a) {
   const ScenarioChoice choice = choice_of(a);
   if (!a.scenario.empty()) {
     const Scenario scenario = load_scenario(a.scenario, choice);
-    return {simulation_in(scenario, a.variant), scenario.seed};
+    SimulationToRun to_run{simulation_in(scenario, a.variant), scenario.seed};
+    const std::string changes = told_changes(scenario.path, to_run.simulation.files);
+    if (!changes.empty()) fmt::print(stderr, "remark: {}; the log may be another one\n", changes);
+    return to_run;
   }
   if (a.world.empty() || a.robot.empty()) {
     throw InputError("simulate needs a scenario file, or --world and --robot");

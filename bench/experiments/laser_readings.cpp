@@ -279,9 +279,10 @@ RunOutcome run(const LaserReadingsOptions& options, const RunInput& input) {
 Configured<RunOutcome(const RunInput&)> configure(const Settings& settings) {
   LaserReadingsOptions options;
   apply(settings, options_of(options), "laser_readings");
+  const InputFiles files = {input_file(sensor_file(options.sensor))};
   options.laser = laser_of(options);
   return {to_yaml(options_of(options)),
-          [options](const RunInput& input) { return run(options, input); }};
+          [options](const RunInput& input) { return run(options, input); }, files};
 }
 
 }  // namespace

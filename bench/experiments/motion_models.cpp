@@ -52,11 +52,6 @@ std::optional<MotionModelOptions> model_of(const std::string& file) {
   return file.empty() ? std::nullopt : std::optional(load_motion_model(file));
 }
 
-// What stands in the parameter file, which decides what the runs give as options do.
-std::string yaml_of(const std::string& name, std::optional<MotionModelOptions> of_file) {
-  return of_file ? name + ":\n" + indented(to_yaml(options_of(*of_file))) : "";
-}
-
 // The true path; of a recorded log what the particle filter makes of it, as in section 5.3.
 Trajectory reference_of(const MotionModelsExperiment& options, const RunInput& input) {
   if (!input.truth.empty()) return input.truth;
@@ -206,12 +201,15 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
 Configured<RunOutcome(const RunInput&)> configure(const Settings& settings) {
   Setup setup;
   apply(settings, options_of(setup.options), "motion_models");
+  InputFiles files;
+  for (const std::string& file : {setup.options.odometry_file, setup.options.matching_file}) {
+    if (!file.empty()) merge({motion_model_file(file)}, files);
+  }
   setup.odometry = model_of(setup.options.odometry_file);
   setup.matching = model_of(setup.options.matching_file);
-  const std::string yaml = to_yaml(options_of(setup.options)) +
-                           yaml_of("odometry_file_model", setup.odometry) +
-                           yaml_of("matching_file_model", setup.matching);
-  return {yaml, [setup = std::move(setup)](const RunInput& input) { return run(setup, input); }};
+  const std::string yaml = to_yaml(options_of(setup.options));
+  return {yaml, [setup = std::move(setup)](const RunInput& input) { return run(setup, input); },
+          std::move(files)};
 }
 
 // Of odometry and of scan matching alike.

@@ -166,8 +166,10 @@ Experiment slam_experiment() {
   const auto configure = [](const Settings& settings) {
     Setup setup = setup_of(settings);
     const std::string yaml = complete_yaml(setup);
+    InputFiles files = setup.method.files;
     return Configured<RunOutcome(const RunInput&)>{
-        yaml, [setup = std::move(setup)](const RunInput& input) { return run(setup, input); }};
+        yaml, [setup = std::move(setup)](const RunInput& input) { return run(setup, input); },
+        std::move(files)};
   };
   return {.name = "slam",
           .about = "a method finds the trajectory in a log",

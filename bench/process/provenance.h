@@ -9,7 +9,7 @@ namespace mapbed {
 // What a result was made with and on.
 struct Provenance {
   std::vector<std::string> command;
-  std::string runs_sha256;  // of identity_text
+  std::string runs_sha256;  // of identity_of() the plan
   std::string program_sha256;
   std::uint64_t seed = 0;
   int runs = 0;

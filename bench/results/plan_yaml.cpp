@@ -95,14 +95,14 @@ std::string plan_yaml(const Results& plan) {
   return text;
 }
 
-Results load_plan(const std::string& config_path) {
-  const ConfigNode file = load_config(config_path);
-  const ConfigNode& scenario = file.at("scenario");
+Results plan_in(const ConfigNode& config) {
+  const ConfigNode& scenario = config.at("scenario");
   Results plan;
   read_words(scenario, plan);
   if (const ConfigNode* sweep = scenario.find("sweep")) {
     for (const std::string& path : sweep->keys()) {
       plan.axes.push_back(axis_of(path, sweep->at(path).texts()));
+      plan.axes.back().place = sweep->at(path).place();
     }
   }
   plan.levels = levels_of(plan.axes);
@@ -119,6 +119,10 @@ Results load_plan(const std::string& config_path) {
   }
   if (const ConfigNode* claims = scenario.find("claims")) read_claims(*claims, plan);
   return plan;
+}
+
+Results load_plan(const std::string& config_path) {
+  return plan_in(load_config(config_path));
 }
 
 }  // namespace mapbed

@@ -6,6 +6,7 @@
 #include "bench/results/results.h"
 #include "core/config/quantity.h"
 #include "core/config/suggestion.h"
+#include "core/data_path.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -134,7 +135,9 @@ PlotSpec plot_of(const ConfigNode& node) {
     for (const std::string& path : at->keys()) {
       const ConfigNode& values = at->at(path);
       const bool is_list = values.kind() == ConfigNode::Kind::list;
-      plot.at.emplace_back(path, is_list ? values.texts() : Names{values.text()});
+      Names levels = is_list ? values.texts() : Names{values.text()};
+      for (std::string& level : levels) level = with_whole_path(level, values.place());
+      plot.at.emplace_back(path, std::move(levels));
     }
   }
   if (const ConfigNode* references = node.find("references")) {

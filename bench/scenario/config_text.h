@@ -4,14 +4,29 @@
 
 namespace mapbed {
 
+class ConfigNode;
+struct Scenario;
 struct ScenarioPlan;
 
-// config.yaml: what was planned under `scenario`, and under `runs`, for each variant at the first
-// level, every option that holds, defaults included. Later changes of defaults cannot rewrite it.
+// config.yaml, beside the results of a scenario and a scenario itself:
+//
+//   scenario:    # what was planned: words, sweep, metrics, plots, claims
+//   settings:    # of all runs, as they were given
+//     world: office
+//   compare:     # what differs in each variant, with what the command line gave
+//     raw: {estimator: odometry}
+//   runs:        # every option that held in each variant, at the first level of a sweep
+//   files:       # that the runs were made of
+//
+// Run again, it gives the same results, this file included, wherever it was copied to: paths of
+// files that are not the program's are whole ones. What stands under `runs` holds then instead of
+// the defaults, which a later program may have changed; but not where the sweep or the command line
+// chooses another world, robot, log, … than it is of.
 std::string config_text(const ScenarioPlan& plan);
 
-// The part of it that decides what the runs give: scenarios that agree in it differ in their words,
-// plots and claims alone.
-std::string identity_text(const ScenarioPlan& plan);
+// Whether a file is one of these, and the scenario in it. Throws InputError for one of an older
+// program, which cannot be run.
+bool is_config(const ConfigNode& file);
+Scenario scenario_in(const ConfigNode& config);
 
 }  // namespace mapbed

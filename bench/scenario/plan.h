@@ -32,7 +32,7 @@ class PlannedSources {
 
  private:
   const Experiment& experiment_;
-  SimulationParts parts_;
+  SourceParts parts_;
   std::map<std::string, std::shared_ptr<const SourcePlan>> by_settings_;
 };
 

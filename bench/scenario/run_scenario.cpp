@@ -11,12 +11,11 @@
 #include "bench/results/judge.h"
 #include "bench/results/result_folder.h"
 #include "bench/results/summary.h"
-#include "bench/scenario/config_text.h"
+#include "bench/scenario/identity.h"
 #include "bench/scenario/journal.h"
 #include "bench/scenario/runner.h"
 #include "bench/scenario/staging_folder.h"
 #include "core/check.h"
-#include "core/file/hash.h"
 
 namespace mapbed {
 namespace {
@@ -54,7 +53,7 @@ Provenance provenance_of(const ScenarioPlan& plan, const ScenarioRunOptions& opt
                          const ScenarioRun& run) {
   Provenance p;
   p.command = options.command;
-  p.runs_sha256 = sha256(identity_text(plan));
+  p.runs_sha256 = identity_of(plan);
   p.program_sha256 = sha256_of_program();
   p.seed = plan.scenario.seed;
   p.runs = static_cast<int>(run.results.runs.size());
@@ -114,7 +113,7 @@ ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& opt
                          const MayGoOn& may_go_on) {
   const Stopwatch stopwatch;
   const FolderLock lock(options.folder);
-  const std::string identity = sha256(identity_text(plan)) + sha256_of_program();
+  const std::string identity = identity_of(plan) + sha256_of_program();
   if (!options.restart && finished_identity(options.folder) == identity) {
     return finished_run(plan, options.folder);
   }

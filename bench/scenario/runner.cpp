@@ -86,6 +86,8 @@ OpenedLogs opened_logs(const ScenarioPlan& plan, const RunRow& row) {
     }
   } catch (const std::bad_alloc&) {
     throw;  // a failure of the machine, not of the run
+  } catch (const InputChanged&) {
+    throw;
   } catch (const std::exception& error) {
     logs.failure = one_line(error.what());
   }
@@ -125,6 +127,8 @@ class Runner {
     try {
       outcome = plan_.planned_of(row).experiment.make(input_of(row, logs));
     } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const InputChanged&) {
       throw;
     } catch (const std::exception& error) {
       return failed(run, one_line(error.what()));

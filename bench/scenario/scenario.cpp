@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "bench/results/plot_spec.h"
+#include "bench/scenario/config_text.h"
 #include "core/config/config_node.h"
 #include "core/config/suggestion.h"
 #include "core/data_path.h"
@@ -32,12 +33,14 @@ struct Reading {
 
 const std::vector<std::string> kKeys{"about",   "thesis", "base", "experiment", "sweep",
                                      "compare", "seeds",  "seed", "metrics",    "plots",
-                                     "claims",  "quick",  "set"};
+                                     "claims",  "quick",  "set",  "files"};
 
 SweepAxis swept_axis(const std::string& path, const ConfigNode& node) {
   std::vector<std::string> texts;
   for (const ConfigNode& item : node.items()) {
-    const std::string text = item.flow_text();
+    const bool is_value = item.kind() == ConfigNode::Kind::value;
+    const std::string text =
+        is_value ? with_whole_path(item.text(), item.place()) : item.flow_text();
     item.use_all();
     if (std::find(texts.begin(), texts.end(), text) != texts.end()) {
       throw InputError(item.place(),
@@ -87,15 +90,7 @@ void read_settings(const ConfigNode& file, Scenario& scenario) {
   for (const std::string& key : file.keys()) {
     if (std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end()) continue;
     const ConfigNode& node = file.at(key);
-    if (node.kind() != ConfigNode::Kind::map) {
-      scenario.settings.push_back({key, node.flow_text(), node.place()});
-      node.use_all();
-      continue;
-    }
-    for (Setting setting : settings_of(node)) {
-      setting.path = key + "." + setting.path;
-      scenario.settings.push_back(std::move(setting));
-    }
+    append(scenario.settings, settings_of(key, node));
   }
   if (const ConfigNode* set = file.find("set")) append(scenario.settings, settings_of(*set));
 }
@@ -140,6 +135,10 @@ void read_form(const ConfigNode& file, Reading& into) {
 // The file's base first, so that the file itself has the last word.
 void read_scenario(const fs::path& path, std::size_t depth, Reading& into) {
   const ConfigNode file = load_config(path.string());
+  if (is_config(file)) {
+    into.scenario = scenario_in(file);
+    return;
+  }
   if (const ConfigNode* base = file.find("base")) {
     if (depth >= kDeepestBase) {
       throw InputError(base->place(), "these files build on each other without end",
@@ -149,6 +148,7 @@ void read_scenario(const fs::path& path, std::size_t depth, Reading& into) {
   }
   read_form(file, into);
   read_settings(file, into.scenario);
+  if (const ConfigNode* files = file.find("files")) files->use_all();  // of a simulated log
   file.check_all_used();
 }
 
@@ -199,6 +199,22 @@ void apply_choice(const ScenarioChoice& choice, Scenario& scenario) {
   }
 }
 
+// What has options of its own: where the sweep or the command line chooses another one, the options
+// that hold in the one of the first level say nothing of it.
+bool is_choice_of_part(const std::string& path) {
+  static const std::vector<std::string> kParts{"world",  "robot", "path",      "driver",
+                                               "people", "log",   "estimator", "sensor"};
+  const std::string name = path.substr(path.rfind('.') + 1);
+  return std::find(kParts.begin(), kParts.end(), name) != kParts.end();
+}
+
+bool chooses_parts(const Scenario& scenario) {
+  return std::any_of(scenario.axes.begin(), scenario.axes.end(),
+                     [](const SweepAxis& axis) { return is_choice_of_part(axis.path); }) ||
+         std::any_of(scenario.overrides.begin(), scenario.overrides.end(),
+                     [](const Setting& setting) { return is_choice_of_part(setting.path); });
+}
+
 }  // namespace
 
 Scenario load_scenario(const std::string& name_or_path, const ScenarioChoice& choice) {
@@ -218,7 +234,8 @@ std::vector<std::string> scenario_names() {
 }
 
 Settings settings_of(const Scenario& scenario, const Level& level, const Variant& variant) {
-  Settings settings = scenario.settings;
+  Settings settings = chooses_parts(scenario) ? Settings{} : variant.complete;
+  append(settings, scenario.settings);
   append(settings, variant.settings);
   append(settings, scenario.overrides);
   for (std::size_t i = 0; i < scenario.axes.size(); ++i) {

@@ -38,9 +38,14 @@ namespace mapbed {
 // recorder.…), of how a log is read (log.…) or of the experiment, nested or as a dotted path. An
 // experiment that needs a further log, say one called mapping, has what differs in that log under
 // its name, `mapping: {path: tour, people: 0}`; all else is as in the scenario's own.
+//
+// Paths are relative to the file that names them, on the command line to the working folder; in
+// memory and in what is written they are whole ones. The config.yaml of a result is a scenario, too
+// (config_text.h).
 struct Variant {
   std::string name;
-  Settings settings;
+  Settings settings = {};
+  Settings complete = {};  // that hold instead of the defaults; of a config.yaml only
 };
 
 struct Scenario {

@@ -8,9 +8,10 @@
 
 namespace mapbed {
 
-SourcePlan plan_source(const Settings& settings, SimulationParts& parts) {
+SourcePlan plan_source(const Settings& settings, SourceParts& parts) {
   const bool is_recorded = last_named(settings, "log") != nullptr;
-  return is_recorded ? plan_recorded(settings) : plan_simulated(settings, parts);
+  return is_recorded ? plan_recorded(settings, parts.files)
+                     : plan_simulated(settings, parts.simulation);
 }
 
 bool has_truth(const SourcePlan& plan) {

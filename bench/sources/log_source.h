@@ -9,7 +9,8 @@
 #include "bench/sources/run_input.h"
 #include "bench/sources/simulate.h"
 #include "core/config/settings.h"
-#include "core/log/log_description.h"
+#include "core/file/input_file.h"
+#include "core/log/log_options.h"
 
 // Where the log of a run comes from: it is planned once, from the settings; opened, so recorded or
 // read, once for all runs that share it; and gives each of these what it works on, with noise of
@@ -19,15 +20,18 @@ namespace mapbed {
 
 // A log in a file.
 struct RecordedPlan {
-  std::string path;                           // of the log itself; empty: as described
-  std::optional<LogDescription> description;  // where the log has a name
+  InputFile log;
   LogOptions options;
+  // Where people measured how the robot moved, and poses that reach their stamps; none: nobody did.
+  std::optional<InputFile> relations;
+  std::optional<InputFile> relations_odometry;
 };
 
 // Settings of a source, bound: robot, sensors, world and description of the log were read when this
 // was made, and are not read again.
 struct SourcePlan {
   std::string complete_yaml;  // all options, for the record
+  InputFiles files = {};      // all that the source is made of
   // Two runs with the same key and seed share a recording.
   std::string key;
   bool depends_on_seed = true;  // false: a recorded log
@@ -39,8 +43,14 @@ struct SourcePlan {
   bool is_simulated() const { return std::holds_alternative<PreparedSimulation>(origin); }
 };
 
-// Parts that were read or built for one plan serve the next ones too. Throws InputError.
-SourcePlan plan_source(const Settings& settings, SimulationParts& parts);
+// What was read, built or hashed for one plan and serves the next ones too.
+struct SourceParts {
+  SimulationParts simulation;
+  HashedFiles files;
+};
+
+// Throws InputError.
+SourcePlan plan_source(const Settings& settings, SourceParts& parts);
 
 // Whether the true path is known; a recorded log is read to see.
 bool has_truth(const SourcePlan& plan);

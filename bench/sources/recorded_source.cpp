@@ -6,16 +6,19 @@
 #include <fmt/format.h>
 
 #include "bench/sources/source_settings.h"
+#include "core/config/yaml_scalar.h"
 #include "core/data_path.h"
 #include "core/geometry/tum_file.h"
 #include "core/input_error.h"
+#include "core/log/log_description.h"
+#include "core/log/log_file.h"
 
 namespace mapbed {
 namespace {
 
 // The log's own path, or that of its description.
 std::string path_of(const Setting& log) {
-  const bool is_path = log.text.find('/') != std::string::npos || std::filesystem::exists(log.text);
+  const bool is_path = log.text.find('/') != std::string::npos;
   if (!is_path) return find_data_file("log", "scenarios/logs", log.text).string();
   if (std::filesystem::is_regular_file(log.text)) return log.text;
   throw InputError(log.place, in_quotes(log.text) + " is no file",
@@ -38,8 +41,8 @@ Settings log_options_of(const Settings& settings) {
 }
 
 RecordedLog read(const RecordedPlan& plan) {
-  if (!plan.description) return load_log(plan.path, plan.options);
-  return load_log(find_stored(*plan.description, plan.description->log), plan.options);
+  check_unchanged(plan.log);
+  return load_log(plan.log.path, plan.options);
 }
 
 class RecordedSource : public LogSource {
@@ -53,7 +56,7 @@ class RecordedSource : public LogSource {
     LogInput input;
     input.log = log_.measurements;
     input.truth = log_.true_poses;
-    if (plan_.description && !plan_.description->relations.file.empty()) {
+    if (plan_.relations) {
       input.relations = [this]() -> const MeasuredRelations& { return relations(); };
     }
     return input;
@@ -63,12 +66,12 @@ class RecordedSource : public LogSource {
   const MeasuredRelations& relations() const {
     const std::scoped_lock lock(mutex_);
     if (relations_) return *relations_;
-    const LogDescription& description = *plan_.description;
     MeasuredRelations measured;
-    measured.relations = load_relations(find_stored(description, description.relations));
-    const StoredFile& odometry = description.relations_odometry;
-    if (!odometry.file.empty()) {
-      measured.odometry = load_trajectory(find_stored(description, odometry));
+    check_unchanged(*plan_.relations);
+    measured.relations = load_relations(plan_.relations->path);
+    if (plan_.relations_odometry) {
+      check_unchanged(*plan_.relations_odometry);
+      measured.odometry = load_trajectory(plan_.relations_odometry->path);
     }
     return relations_.emplace(std::move(measured));
   }
@@ -79,28 +82,52 @@ class RecordedSource : public LogSource {
   mutable std::optional<MeasuredRelations> relations_;
 };
 
+// What is stored with the log; none where the description names no such file.
+std::optional<InputFile> found(const LogDescription& description, const StoredFile& stored,
+                               HashedFiles& files) {
+  if (stored.file.empty()) return std::nullopt;
+  return find_stored(description, stored, files);
+}
+
+RecordedPlan described(const LogDescription& description, HashedFiles& files) {
+  return {.log = find_stored(description, description.log, files),
+          .options = description.options,
+          .relations = found(description, description.relations, files),
+          .relations_odometry = found(description, description.relations_odometry, files)};
+}
+
+InputFiles files_of(const RecordedPlan& plan) {
+  InputFiles files = {plan.log};
+  for (const auto& file : {plan.relations, plan.relations_odometry}) {
+    if (file) merge({*file}, files);
+  }
+  return files;
+}
+
 }  // namespace
 
-SourcePlan plan_recorded(const Settings& settings) {
+SourcePlan plan_recorded(const Settings& settings, HashedFiles& files) {
   const Setting& log = *last_named(settings, "log");
-  RecordedPlan recorded{.path = path_of(log)};
-  if (recorded.path.ends_with(".yaml")) {
-    recorded.description = load_log_description(recorded.path);
-    recorded.options = recorded.description->options;
+  const std::string path = path_of(log);
+  RecordedPlan recorded;
+  SourcePlan plan{.depends_on_seed = false};
+  if (path.ends_with(".yaml")) {
+    plan.files = {files.at(path)};
+    const LogDescription description = load_log_description(path);
+    recorded.options = description.options;
+    if (is_here(description)) {
+      recorded = described(description, files);
+    } else {
+      plan.missing = fmt::format("the log '{}' is not here ({})", log.text, description.log.file);
+    }
+  } else {
+    recorded.log = files.at(path);
   }
   apply(log_options_of(settings), options_of(recorded.options), "log");
-  SourcePlan plan;
-  plan.complete_yaml = "log: " + log.text + "\n";
-  if (recorded.description) {
-    plan.complete_yaml += "sha256: " + recorded.description->log.sha256 + "\n";
-  }
-  plan.complete_yaml += to_yaml(options_of(recorded.options));
+  plan.complete_yaml =
+      "log: " + yaml_scalar(log.text) + "\n" + dotted("log", to_yaml(options_of(recorded.options)));
   plan.key = plan.complete_yaml;
-  plan.depends_on_seed = false;
-  if (recorded.description && !is_here(*recorded.description)) {
-    plan.missing =
-        fmt::format("the log '{}' is not here ({})", log.text, recorded.description->log.file);
-  }
+  if (plan.missing.empty()) merge(files_of(recorded), plan.files);
   plan.origin = std::move(recorded);
   return plan;
 }

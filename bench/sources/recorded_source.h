@@ -7,7 +7,7 @@
 namespace mapbed {
 
 // Of settings with 'log'. Throws InputError.
-SourcePlan plan_recorded(const Settings& settings);
+SourcePlan plan_recorded(const Settings& settings, HashedFiles& files);
 
 std::unique_ptr<LogSource> open_recorded(const RecordedPlan& plan);
 

@@ -1,11 +1,10 @@
 #include "bench/sources/simulate.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "bench/sources/files_record.h"
 #include "core/config/yaml_scalar.h"
 #include "core/file/text_file.h"
 #include "core/geometry/tum_file.h"
@@ -58,31 +57,6 @@ DividedSettings by_group(const Settings& all) {
   return result;
 }
 
-// Nested options, as to_yaml() has them, with dotted paths below `group` (may be empty), so that
-// they can stand beside the name of what has them.
-std::string dotted(const std::string& group, const std::string& yaml) {
-  constexpr std::size_t kIndent = 2;
-  std::vector<std::string> path;
-  const std::size_t above = group.empty() ? 0 : 1;
-  if (above > 0) path.push_back(group);
-  std::string text;
-  std::istringstream lines(yaml);
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t begin = line.find_first_not_of(' ');
-    if (begin == std::string::npos) continue;
-    if (line[begin] == '#') {
-      text += line + "\n";
-      continue;
-    }
-    const std::size_t colon = line.find(':', begin);
-    path.resize(begin / kIndent + above);
-    path.push_back(line.substr(begin, colon - begin));
-    const std::string value = line.substr(colon + 1);
-    if (!value.empty()) text += fmt::format("{}:{}\n", fmt::join(path, "."), value);
-  }
-  return text;
-}
-
 // A driver who is told measurements reacts to their noise, which then belongs to the recording.
 Robot without_noise(Robot robot, const RecorderOptions& recorder) {
   if (recorder.tells_driver) return robot;
@@ -126,12 +100,13 @@ void write_true_map(const std::string& stem, const PreparedSimulation& simulatio
 
 const SimulationParts::BuiltWorld& SimulationParts::world(const std::string& name,
                                                           const Settings& settings) {
+  std::string key = name;
+  for (const Setting& setting : settings) key += "\n" + setting.path + "=" + setting.text;
+  const auto found = worlds_.find(key);
+  if (found != worlds_.end()) return found->second;
   const Configured<World()> configured = configure_world(name, settings);
-  const auto [found, is_new] = worlds_.try_emplace(name + "\n" + configured.complete_yaml);
-  if (is_new) {
-    found->second = {configured.complete_yaml, std::make_shared<const World>(configured.make())};
-  }
-  return found->second;
+  return worlds_[key] = {configured.complete_yaml, std::make_shared<const World>(configured.make()),
+                         configured.files};
 }
 
 const Robot& SimulationParts::robot(const std::string& name) {
@@ -142,11 +117,13 @@ const Robot& SimulationParts::robot(const std::string& name) {
 
 PreparedSimulation prepare_simulation(const SimulationPlan& plan, SimulationParts& parts) {
   const DividedSettings settings = by_group(plan.settings);
-  const auto& [world_yaml, world] = parts.world(plan.world, settings.world);
+  const auto& [world_yaml, world, world_files] = parts.world(plan.world, settings.world);
   if (world->paths.empty()) {
     throw InputError("world '" + plan.world + "' has no path to drive; add one to its paths");
   }
   PreparedSimulation prepared{.world = world, .robot = parts.robot(plan.robot)};
+  prepared.files = world_files;
+  merge(prepared.robot.files, prepared.files);
   prepared.path = plan.path.empty() ? world->paths.front() : path_by_name(*world, plan.path);
   Options options{.robot = prepared.robot};
   if (plan.people >= 0) {
@@ -214,8 +191,9 @@ void write_simulation(const std::string& log_path, const SimulationResult& resul
   write_truth(stem + ".truth.gz", result.recording.truth);
   write_text_file(stem + ".relations", relations_text(truth));
   write_trajectory(stem + ".tum", truth);
-  write_text_file(stem + ".config.yaml",
-                  fmt::format("seed: {}\n", result.seed) + result.simulation.config);
+  write_text_file(stem + ".config.yaml", fmt::format("seed: {}\n", result.seed) +
+                                             result.simulation.config +
+                                             files_yaml(result.simulation.files));
   write_true_map(stem, result.simulation);
 }
 

@@ -31,12 +31,13 @@ class SimulationParts {
   struct BuiltWorld {
     std::string complete_yaml;
     std::shared_ptr<const World> world;
+    InputFiles files;
   };
   const BuiltWorld& world(const std::string& name, const Settings& settings);
   const Robot& robot(const std::string& name);  // as its file has it
 
  private:
-  std::map<std::string, BuiltWorld> worlds_;  // by name and options
+  std::map<std::string, BuiltWorld> worlds_;  // by name and what is set of it
   std::map<std::string, Robot> robots_;
 };
 
@@ -48,6 +49,7 @@ struct PreparedSimulation {
   SimulationOptions simulation;
   std::function<MakeDriver> make_driver;
   RecorderOptions recorder;
+  InputFiles files;              // of world and robot
   std::string config;            // complete: as a scenario file it gives the same again
   std::string noiseless_config;  // the same without what is drawn after recording: plans that agree
                                  // in this and in the seed give the same recording

@@ -67,6 +67,7 @@ class SimulatedSource : public LogSource {
 SourcePlan plan_simulated(const Settings& settings, SimulationParts& parts) {
   PreparedSimulation simulation = prepare_simulation(simulation_plan(settings), parts);
   SourcePlan plan{.complete_yaml = simulation.config, .key = simulation.noiseless_config};
+  plan.files = simulation.files;
   plan.origin = std::move(simulation);
   return plan;
 }

@@ -91,4 +91,7 @@ void read_options(const ConfigNode& node, const OptionList& options);
 // writing ("a.b: 1" and "a: {b: 1}") say the same path twice.
 Settings settings_of(const ConfigNode& node);
 
+// The same of what stands under a key: one setting of that path, or those of a map below it.
+Settings settings_of(const std::string& key, const ConfigNode& node);
+
 }  // namespace mapbed

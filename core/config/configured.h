@@ -3,6 +3,8 @@
 #include <functional>
 #include <string>
 
+#include "core/file/input_file.h"
+
 namespace mapbed {
 
 // Settings bound once: what holds, defaults included, and what is made with it. Nothing is read
@@ -12,6 +14,7 @@ template <class Made>
 struct Configured {
   std::string complete_yaml;  // as it stands beside the results
   std::function<Made> make;
+  InputFiles files = {};  // that were read for it
 };
 
 }  // namespace mapbed

@@ -7,6 +7,7 @@
 #include "core/config/renamed_options.h"
 #include "core/config/set_option.h"
 #include "core/config/suggestion.h"
+#include "core/data_path.h"
 
 namespace mapbed {
 namespace {
@@ -19,7 +20,9 @@ bool is_valid_path(std::string_view path) {
 
 void collect_leaves(const ConfigNode& node, const std::string& path, Settings& leaves) {
   if (node.kind() != ConfigNode::Kind::map || (node.keys().empty() && !path.empty())) {
-    leaves.push_back({path, node.flow_text(), node.place()});
+    const std::string text = node.flow_text();
+    const bool is_value = node.kind() == ConfigNode::Kind::value;
+    leaves.push_back({path, is_value ? with_whole_path(text, node.place()) : text, node.place()});
     node.use_all();  // the entries of a list
     return;
   }
@@ -85,7 +88,8 @@ Setting parse_setting(const std::string& assignment) {
   if (equals == std::string::npos) {
     throw InputError(place, "there is no '='", "write path=value, e.g. 'seeds=10'");
   }
-  Setting setting{assignment.substr(0, equals), assignment.substr(equals + 1), place};
+  const std::string value = with_whole_path(assignment.substr(equals + 1), place);
+  Setting setting{assignment.substr(0, equals), value, place};
   if (!is_valid_path(setting.path)) {
     throw InputError(place, in_quotes(setting.path) + " is not the path of an option",
                      "write path=value, e.g. 'robot.odometry.rotation_sigma=2 deg'");
@@ -109,6 +113,17 @@ Settings settings_of(const ConfigNode& node) {
         in_quotes(setting.path) + " was already set in line " + std::to_string(earlier->second),
         "keep one of them");
   }
+  return leaves;
+}
+
+Settings settings_of(const std::string& key, const ConfigNode& node) {
+  Settings leaves;
+  if (node.kind() != ConfigNode::Kind::map) {
+    collect_leaves(node, key, leaves);
+    return leaves;
+  }
+  leaves = settings_of(node);
+  for (Setting& setting : leaves) setting.path = key + "." + setting.path;
   return leaves;
 }
 

@@ -10,7 +10,7 @@
 
 namespace mapbed {
 
-// One value as it was written, with the place where it stands.
+// One value as it was written, with the place where it stands; the path of a file is written whole.
 struct Setting {
   std::string path;  // "robot.odometry.rotation_sigma"
   std::string text;  // "2 deg", "[1 cm, 2 cm]", "counting"
@@ -34,6 +34,10 @@ void apply(const Settings& settings, const OptionList& options, const std::strin
 
 // The complete configuration, defaults included, as YAML with units and the meaning as comments.
 std::string to_yaml(const OptionList& options);
+
+// Nested options, as to_yaml() has them, with dotted paths below `group` (may be empty), so that
+// they can stand beside the name of what has them.
+std::string dotted(const std::string& group, std::string_view yaml);
 
 // Every line of a text behind so many blanks, as YAML has what belongs to a key.
 std::string indented(std::string_view yaml, int blanks = 2);

@@ -1,5 +1,8 @@
 #include <algorithm>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "core/config/set_option.h"
 #include "core/config/settings.h"
 #include "core/config/yaml_scalar.h"
@@ -35,6 +38,25 @@ std::string to_yaml(const OptionList& options) {
     yaml += option.about.empty() ? "\n" : "  # " + option.about + "\n";
   }
   return yaml;
+}
+
+std::string dotted(const std::string& group, std::string_view yaml) {
+  constexpr std::size_t kIndent = 2;
+  std::vector<std::string> path;
+  const std::size_t above = group.empty() ? 0 : 1;
+  if (above > 0) path.push_back(group);
+  std::string text;
+  while (!yaml.empty()) {
+    const std::string line(next_line(yaml));
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin == std::string::npos) continue;
+    const std::size_t colon = line.find(':', begin);
+    path.resize(begin / kIndent + above);
+    path.push_back(line.substr(begin, colon - begin));
+    const std::string value = line.substr(colon + 1);
+    if (!value.empty()) text += fmt::format("{}:{}\n", fmt::join(path, "."), value);
+  }
+  return text;
 }
 
 std::string indented(std::string_view yaml, int blanks) {

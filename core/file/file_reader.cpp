@@ -19,21 +19,21 @@ gzFile as_gz(void* file) {
   return static_cast<gzFile>(file);
 }
 
-void refuse_what_is_not_a_file(const std::string& path) {
+}  // namespace
+
+void check_is_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw InputError({path}, "no such file");
   if (std::filesystem::is_directory(status)) throw InputError({path}, "is a folder, not a file");
 }
 
-}  // namespace
-
 void FileReader::Close::operator()(void* file) const {
   gzclose_r(as_gz(file));
 }
 
 FileReader::FileReader(const std::string& path) : path_(path) {
-  refuse_what_is_not_a_file(path);
+  check_is_file(path);
   errno = 0;
   file_.reset(gzopen(path.c_str(), "rb"));  // hands on what is not gzip as it is
   if (!file_) {

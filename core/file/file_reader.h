@@ -9,6 +9,9 @@
 
 namespace mapbed {
 
+// Throws InputError where there is no such file or it is a folder.
+void check_is_file(const std::string& path);
+
 // The content of a file, piece by piece, unpacked where it is gzip (seen by its first bytes, not by
 // its name). Memory stays near one piece, whatever the file unpacks to.
 class FileReader {

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "core/config/config_node.h"
-#include "core/file/hash.h"
 
 namespace mapbed {
 namespace {
@@ -28,14 +27,13 @@ StoredFile stored_file_of(const ConfigNode& node) {
   return stored;
 }
 
-void check_checksum(const std::string& path, const LogDescription& description,
+void check_checksum(const InputFile& file, const LogDescription& description,
                     const std::string& sha256) {
-  const std::string found = sha256_of_file(path);
-  if (found == sha256) return;
-  throw InputError({path},
+  if (file.sha256 == sha256) return;
+  throw InputError({file.path},
                    fmt::format("is not the file that {} describes: its SHA-256 is {}…, not {}…",
                                fs::path(description.yaml_path).filename().string(),
-                               found.substr(0, 12), sha256.substr(0, 12)),
+                               file.sha256.substr(0, 12), sha256.substr(0, 12)),
                    "fetch it again (" + description.fetch + "), or map it by its own path");
 }
 
@@ -75,11 +73,13 @@ LogDescription load_log_description(const std::string& yaml_path) {
   return result;
 }
 
-std::string find_stored(const LogDescription& description, const StoredFile& stored) {
+InputFile find_stored(const LogDescription& description, const StoredFile& stored,
+                      HashedFiles& files) {
   const std::string place = place_of(description, stored);
   if (!place.empty()) {
-    check_checksum(place, description, stored.sha256);
-    return place;
+    const InputFile& file = files.at(place);
+    check_checksum(file, description, stored.sha256);
+    return file;
   }
   const std::string kind = stored.file == description.log.file ? "log" : "file";
   throw InputError({description.yaml_path},
@@ -102,7 +102,8 @@ RecordedLog open_log(const std::string& path, const Settings& settings) {
   if (path.ends_with(".yaml")) {
     const LogDescription description = load_log_description(path);
     options = description.options;
-    log = find_stored(description, description.log);
+    HashedFiles files;
+    log = find_stored(description, description.log, files).path;
   }
   apply(settings, options_of(options), "log");
   return load_log(log, options);

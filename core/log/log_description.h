@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/config/settings.h"
+#include "core/file/input_file.h"
 #include "core/log/log_file.h"
 
 // A recorded log by name: a YAML file that says where a log comes from, what its bytes are, and
@@ -53,7 +54,8 @@ LogDescription load_log_description(const std::string& yaml_path);
 // Where a file of the description is: $MAPBED_DATA/<file>, or <file> beside the YAML file. Throws
 // InputError where it is in neither place, with the way to get it, or where its checksum is another
 // one.
-std::string find_stored(const LogDescription& description, const StoredFile& stored);
+InputFile find_stored(const LogDescription& description, const StoredFile& stored,
+                      HashedFiles& files);
 
 // Whether all its files are in one of these places; says nothing of their checksums.
 bool is_here(const LogDescription& description);

@@ -87,12 +87,14 @@ TEST_F(Description, NamesTheRelationsThatWereMeasuredAlongTheLog) {
   const std::string relations =
       fmt::format("relations: {{file: a.relations, sha256: {}}}\n", sha256("0 1 0.5 0 0 0 0 0\n"));
   const LogDescription description = load_log_description(written(log_, sha256(log_), relations));
-  EXPECT_EQ(find_stored(description, description.relations), folder_.file("a.relations"));
+  HashedFiles files;
+  EXPECT_EQ(find_stored(description, description.relations, files).path,
+            folder_.file("a.relations"));
   EXPECT_TRUE(description.relations_odometry.file.empty());
   EXPECT_TRUE(is_here(description));
   std::filesystem::remove(folder_.file("a.relations"));
   EXPECT_FALSE(is_here(description));
-  EXPECT_INPUT_ERROR(find_stored(description, description.relations),
+  EXPECT_INPUT_ERROR(find_stored(description, description.relations, files),
                      "its file 'a.relations' is not here");
 }
 

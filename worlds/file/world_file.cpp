@@ -1,9 +1,11 @@
 #include "worlds/file/world_file.h"
 
 #include <filesystem>
+#include <memory>
 
 #include "core/config/config_node.h"
 #include "core/config/suggestion.h"
+#include "core/image/map_server.h"
 #include "core/input_error.h"
 #include "worlds/build/building.h"
 #include "worlds/build/clearance.h"
@@ -18,9 +20,9 @@ namespace {
 class WorldReader {
  public:
   WorldReader(const std::string& path, const Settings& settings)
-      : path_(path), settings_(settings), file_(load_config(path)) {}
+      : path_(path), settings_(settings), files_{input_file(path)}, file_(load_config(path)) {}
 
-  World read() {
+  Configured<World()> read() {
     if (const ConfigNode* about = file_.find("about")) about->text();
     read_start();
     if (const ConfigNode* ceiling = file_.find("ceiling")) {
@@ -36,7 +38,8 @@ class WorldReader {
     if (world_.entities.empty()) {
       throw InputError({path_}, "the world is empty", "add start, plan, walls or shapes");
     }
-    return std::move(world_);
+    const auto world = std::make_shared<const World>(std::move(world_));
+    return {start_yaml_, [world] { return *world; }, std::move(files_)};
   }
 
  private:
@@ -89,16 +92,21 @@ class WorldReader {
     if (plan != nullptr) read_plan(*plan);
   }
 
-  static World build_start(const ConfigNode& start, const Settings& options) {
+  World build_start(const ConfigNode& start, const Settings& options) {
     std::vector<std::string> names;
     for (const WorldKind& kind : world_kinds()) names.push_back(kind.name);
     const auto index = static_cast<std::size_t>(start.choice(names));
-    return world_kinds()[index].configure(options).make();
+    const Configured<World()> configured = world_kinds()[index].configure(options);
+    start_yaml_ = configured.complete_yaml;
+    return configured.make();
   }
 
   void read_plan(const ConfigNode& node) {
     PlanOptions plan;
     plan.file = beside(node.at("file").text());
+    files_.push_back(input_file(plan.file));
+    const std::string picture = read_map_server_file(plan.file).image;
+    if (std::filesystem::exists(picture)) files_.push_back(input_file(picture));
     plan.height = length(node, "height", plan.height);
     plan.material = world_.materials[static_cast<std::size_t>(material(node, plan.material))].name;
     add_plan(world_, plan);
@@ -166,6 +174,9 @@ class WorldReader {
   void read_shape(const ConfigNode& node) {
     Part part;
     Entity entity{.kind = EntityKind::furniture};
+    if (const ConfigNode* mesh = node.find("mesh")) {
+      files_.push_back(input_file(beside(mesh->text())));
+    }
     const ConfiguredShape shape = shape_of(node, world_.ceiling, folder());
     part.geometry = shape.geometry;
     if (const ConfigNode* name = node.find("name")) entity.name = name->text();
@@ -250,13 +261,15 @@ class WorldReader {
 
   std::string path_;
   Settings settings_;
+  InputFiles files_;  // the world file before it is read
   ConfigNode file_;
+  std::string start_yaml_;  // all options of the builder that it starts from
   World world_;
 };
 
 }  // namespace
 
-World load_world(const std::string& yaml_path, const Settings& settings) {
+Configured<World()> configure_world_file(const std::string& yaml_path, const Settings& settings) {
   return WorldReader(yaml_path, settings).read();
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/config/configured.h"
 #include "core/config/settings.h"
 #include "worlds/world.h"
 
@@ -32,8 +33,11 @@ namespace mapbed {
 //     routes: [{name: to and fro, points: [[1 m, 2 m], [7 m, 2 m]]}]
 //     places: [{at: [3 m, 2 m], heading: 90 deg, radius: 0.5 m}]
 //
-// `settings` change the builder's options. Throws InputError with file, line and remedy; also for a
-// path or route through a wall.
-World load_world(const std::string& yaml_path, const Settings& settings = {});
+// Paths in it are relative to its folder. `settings` change the builder's options, which are the
+// complete configuration. The world is made as it is in the files now, which are told, for as long
+// as it is asked for. Throws InputError with file, line and remedy; also for a path or route
+// through a wall.
+Configured<World()> configure_world_file(const std::string& yaml_path,
+                                         const Settings& settings = {});
 
 }  // namespace mapbed

@@ -1,6 +1,7 @@
 #include "worlds/file/world_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -24,7 +25,7 @@ class WorldFile : public ::testing::Test {
     std::ofstream(folder_.file(name)) << text;
     return folder_.file(name);
   }
-  World load(const std::string& text) const { return load_world(write("lab.yaml", text)); }
+  World load(const std::string& text) const { return build_world(write("lab.yaml", text)); }
 
   TemporaryFolder folder_;
 };
@@ -86,6 +87,29 @@ TEST_F(WorldFile, LetsSettingsOverrideItsOptions) {
   const std::string path = write("lab.yaml", "start: corridor\noptions: {length: 12 m}\n");
   const World world = build_world(path, {parse_setting("length=20 m")});
   EXPECT_NEAR(path_by_name(world, "one_way").points[1].position.x(), 18.5, 1e-9);
+}
+
+// As they stand in a configuration that is complete: later defaults of the builder change nothing.
+TEST_F(WorldFile, TellsAllOptionsOfItsBuilderWithWhatIsSet) {
+  const std::string path = write("lab.yaml", "start: corridor\noptions: {length: 12 m}\n");
+  const std::string yaml = configure_world_file(path, {parse_setting("width=5 m")}).complete_yaml;
+  EXPECT_THAT(yaml, ::testing::HasSubstr("length: 12 m  #"));
+  EXPECT_THAT(yaml, ::testing::HasSubstr("width: 5 m  #"));
+}
+
+TEST_F(WorldFile, TellsTheFilesThatItIsMadeOf) {
+  write_pgm(folder_.file("plan.pgm"), GrayImage(2, 2, 0));
+  write("plan.yaml", "image: plan.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
+  write("tent.obj", "v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n");
+  const std::string path = write("lab.yaml",
+                                 "plan: {file: plan.yaml}\n"
+                                 "shapes: [{mesh: tent.obj}]\n");
+  std::vector<std::string> names;
+  for (const InputFile& file : configure_world_file(path).files) {
+    names.push_back(std::filesystem::path(file.path).filename());
+  }
+  EXPECT_THAT(names,
+              ::testing::UnorderedElementsAre("lab.yaml", "plan.yaml", "plan.pgm", "tent.obj"));
 }
 
 TEST_F(WorldFile, MakesWallsOfAPlan) {

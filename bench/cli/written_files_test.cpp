@@ -1,0 +1,189 @@
+// Every file that run, simulate and map write, read with the program's own reader; where there is a
+// writer of what was read, it gives the same bytes again.
+
+#include <filesystem>
+#include <functional>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "algorithms/grid/map_file.h"
+#include "algorithms/motion/motion_learning.h"
+#include "bench/cli/map_run.h"
+#include "bench/metrics/relations.h"
+#include "bench/plot/testing/well_formed.h"
+#include "bench/results/result_folder.h"
+#include "bench/scenario/testing/own_files.h"
+#include "bench/sources/log_source.h"
+#include "core/file/csv_file.h"
+#include "core/file/text_file.h"
+#include "core/geometry/tum_file.h"
+#include "core/image/map_server.h"
+#include "core/image/samples.h"
+#include "core/log/log_file.h"
+#include "core/testing/test_room.h"
+#include "sim/truth/truth_file.h"
+
+namespace mapbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Check = std::function<void(const std::string& path)>;
+
+void is_table(const std::string& path) {
+  const std::string text = read_text_file(path);
+  EXPECT_EQ(csv_text(parse_csv(path, text)), text);
+}
+
+void is_trajectory(const std::string& path) {
+  const Trajectory trajectory = load_trajectory(path);
+  EXPECT_GT(trajectory.size(), 1u);
+  EXPECT_EQ(tum_text(trajectory), read_text_file(path));
+}
+
+void is_json(const std::string& path) {
+  EXPECT_FALSE(nlohmann::json::parse(read_text_file(path)).empty());
+}
+
+void is_picture(const std::string& path) {
+  EXPECT_GT(read_samples(path).width, 0);
+}
+
+void is_svg(const std::string& path) {
+  EXPECT_TRUE(is_well_formed(read_text_file(path)));
+}
+
+class WrittenFiles : public OwnFiles {
+ protected:
+  // Each file of a folder by the longest ending that names its kind; all kinds must be met.
+  void expect_read(const std::string& folder,
+                   const std::vector<std::pair<std::string, Check>>& kinds) {
+    std::set<std::string> met;
+    for (const auto& entry : fs::recursive_directory_iterator(path(folder))) {
+      if (!entry.is_regular_file() || entry.path().filename() == ".lock") continue;
+      SCOPED_TRACE(entry.path());
+      const std::pair<std::string, Check>* kind = nullptr;
+      for (const auto& candidate : kinds) {
+        const bool fits = entry.path().string().ends_with(candidate.first);
+        if (fits && (kind == nullptr || candidate.first.size() > kind->first.size())) {
+          kind = &candidate;
+        }
+      }
+      ASSERT_NE(kind, nullptr) << "nobody reads it";
+      ASSERT_NO_THROW(kind->second(entry.path()));
+      met.insert(kind->first);
+    }
+    for (const auto& [ending, check] : kinds) EXPECT_TRUE(met.contains(ending)) << ending;
+  }
+
+  void expect_same_result(const std::string& folder) const {
+    for (const ResultFile& file : files_of(load_results(path(folder)))) {
+      const std::string name = folder + "/" + file.path;
+      EXPECT_EQ(file.content, fs::exists(path(name)) ? text(name) : "") << name;
+    }
+  }
+};
+
+TEST_F(WrittenFiles, OfAScenario) {
+  run(planned(scenario("room.yaml")), "r");
+  expect_same_result("r");
+  expect_read("r", {{"config.yaml", [](const std::string& path) { planned(path); }},
+                    {".csv", is_table},
+                    {".json", is_json},
+                    {".svg", is_svg},
+                    {".png", is_picture},
+                    {".tum", is_trajectory}});
+}
+
+TEST_F(WrittenFiles, OfAScenarioWithoutSeriesPlotsAndClaims) {
+  const std::string scenario =
+      write("y.yaml",
+            "world: workshop\nrobot: pioneer\npeople: 0\nrecorder.longest: 1 s\n"
+            "estimator: odometry\nmetrics: [path_length]\n");
+  run(planned(scenario), "r");
+  expect_same_result("r");
+  EXPECT_FALSE(fs::exists(path("r/series.csv")));
+  EXPECT_FALSE(fs::exists(path("r/figures")));
+}
+
+TEST_F(WrittenFiles, OfASimulation) {
+  fs::create_directory(path("s"));
+  const SimulationPlan plan{.world = path("room.yaml"), .robot = path("ours.yaml"), .people = 0};
+  write_simulation(path("s/a.log.gz"), run_simulation(plan, 7));
+  const auto is_truth = [&](const std::string& name) {
+    write_truth(path("again.gz"), load_truth(name));
+    EXPECT_EQ(read_text_file(path("again.gz")), read_text_file(name));
+  };
+  const auto is_map = [&](const std::string& name) {
+    write_map_server(path("again"), read_map_server(name));
+    EXPECT_EQ(read_samples(path("again.pgm")),
+              read_samples(name.substr(0, name.size() - 4) + "pgm"));
+  };
+  const auto is_config = [&](const std::string& name) {
+    const Scenario scenario = load_scenario(name);
+    EXPECT_EQ(scenario.seed, 7u);
+    fs::create_directory(path("t"));
+    write_simulation(path("t/a.log.gz"),
+                     run_simulation(simulation_plan(scenario.settings), scenario.seed));
+  };
+  expect_read("s", {{".log.gz",
+                     [](const std::string& path) {
+                       const RecordedLog log = load_log(path);
+                       EXPECT_FALSE(log.true_poses.empty());
+                       EXPECT_TRUE(log.warnings.empty());
+                     }},
+                    {".truth.gz", is_truth},
+                    {".relations",
+                     [](const std::string& path) { EXPECT_FALSE(load_relations(path).empty()); }},
+                    {".tum", is_trajectory},
+                    {"_map.yaml", is_map},
+                    {"_map.pgm", is_picture},
+                    {".config.yaml", is_config}});
+  EXPECT_EQ(bytes_of("t"), bytes_of("s"));
+}
+
+TEST_F(WrittenFiles, OfAMap) {
+  fs::create_directory(path("m"));
+  const RecordedLog log =
+      drive_through(rectangular_room(6.0, 4.0), {{-1.0, 0.0}, {1.5, 0.5}}, {}, Rng(1));
+  const MapConfig config = map_config_from({{"method", "rbpf", {}},
+                                            {"rbpf.particles", "2", {}},
+                                            {"rbpf.odometry_errors", path("errors.yaml"), {}}});
+  const auto always = [](std::size_t, std::size_t) { return true; };
+  write_map_run(path("m"), "room.log", log, make_map(log, config, always));
+  const auto is_config = [&](const std::string& name) {
+    EXPECT_EQ(to_yaml(map_config_from(load_settings(name))), read_text_file(name));
+  };
+  const auto is_map = [&](const std::string& name) {
+    write_map(path("again"), read_map(name));
+    EXPECT_EQ(read_text_file(path("again.pgm")), text("m/map.pgm"));
+  };
+  expect_read("m", {{"trajectory.tum", is_trajectory},
+                    {"map.yaml", is_map},
+                    {"map.pgm", is_map},
+                    {".png", is_picture},
+                    {"config.yaml", is_config},
+                    {".csv", is_table},
+                    {"summary.json", is_json}});
+}
+
+// What a drive has learned is what `odometry_errors: FILE` reads.
+TEST_F(WrittenFiles, OfWhatWasLearned) {
+  run(planned(write("y.yaml",
+                    "experiment: motion_models\nworld: hall_loop\nrobot: ours.yaml\npeople: 0\n"
+                    "recorder.longest: 150 s\nfilter.particles: 2\nmetrics: [motions]\n"
+                    "odometry_file: errors.yaml\n")),
+      "r");
+  expect_same_result("r");
+  ASSERT_TRUE(fs::exists(path("r/learned")));
+  for (const auto& entry : fs::recursive_directory_iterator(path("r/learned"))) {
+    EXPECT_NO_THROW(load_motion_model(entry.path())) << entry.path();
+  }
+  run(planned(path("r/config.yaml")), "again");
+  EXPECT_EQ(bytes_of("again"), bytes_of("r"));
+}
+
+}  // namespace
+}  // namespace mapbed
