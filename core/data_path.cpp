@@ -39,7 +39,8 @@ bool is_surely_path(const std::string& text) {
 }  // namespace
 
 std::string with_whole_path(const std::string& value, const SourceLocation& place) {
-  const bool may_be_path = value.find_first_of("/.") != std::string::npos;
+  const bool is_number = value.find_first_not_of("0123456789.+-eE") == std::string::npos;
+  const bool may_be_path = !is_number && value.find_first_of("/.") != std::string::npos;
   if (!may_be_path || value.find_first_of("\n[{") != std::string::npos) return value;
   const fs::path folder = place.line > 0 ? fs::path(place.file).parent_path() : fs::path();
   const fs::path path = fs::absolute(folder / value).lexically_normal();

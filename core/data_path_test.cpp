@@ -77,6 +77,8 @@ TEST(WholePath, LeavesAloneWhatNamesNoFile) {
     EXPECT_EQ(with_whole_path(value, place), value);
   }
   std::ofstream(folder.file("drive.log")) << "a log";
+  std::ofstream(folder.file("1.5")) << "a file by the name of a number";
+  EXPECT_EQ(with_whole_path("1.5", place), "1.5");
   EXPECT_EQ(with_whole_path("drive.log", place), folder.file("drive.log"));
 }
 

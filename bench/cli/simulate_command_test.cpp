@@ -70,6 +70,27 @@ TEST_F(SimulateCommand, TakesAScenario) {
   EXPECT_THAT(outcome.out, HasSubstr("b21r in office"));
 }
 
+TEST_F(SimulateCommand, TheConfigurationBesideALogGivesItAgain) {
+  write("room.yaml", "start: corridor\noptions: {length: 14 m}\n");
+  const Outcome first =
+      call({"simulate", "--world", "./room.yaml", "--robot", "pioneer", "--people", "2", "--seed",
+            "7", "--set", "recorder.longest=2 s", "-o", "a.log"});
+  ASSERT_EQ(first.status, 0) << first.err;
+  fs::create_directory(path("inner"));
+  fs::rename(path("a.config.yaml"), path("inner/a.config.yaml"));
+  const Outcome again = call({"simulate", "inner/a.config.yaml", "-o", "b.log"});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_THAT(again.err, ::testing::Not(HasSubstr("changed since")));
+  for (const char* ending : {".log", ".truth.gz", "_map.pgm", ".relations"}) {
+    EXPECT_EQ(text(std::string("a") + ending), text(std::string("b") + ending)) << ending;
+  }
+  EXPECT_EQ(text("inner/a.config.yaml"), text("b.config.yaml"));
+
+  write("room.yaml", "start: corridor\noptions: {length: 15 m}\n");
+  EXPECT_THAT(call({"simulate", "inner/a.config.yaml", "-o", "c.log"}).err,
+              HasSubstr("room.yaml changed since inner/a.config.yaml was written"));
+}
+
 TEST_F(SimulateCommand, RefusesWhatItDoesNotKnow) {
   expect_no_log({}, "simulate needs a scenario file, or --world and --robot");
   expect_no_log({"--world", "offize", "--robot", "pioneer"}, "did you mean 'office'?");

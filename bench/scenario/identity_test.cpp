@@ -101,6 +101,13 @@ TEST_F(Identity, WorldsThatStartFromAnotherOneDifferFromLevelToLevel) {
               path_by_name(*world_of(1), "one_way").points[1].position.x(), 1e-9);
 }
 
+TEST_F(Identity, AConfigurationThatCannotBeReadSaysNothingOfItsFiles) {
+  const InputFiles files = input_files(planned(scenario("room.yaml")));
+  for (const char* text : {"files: 3\n", "files: [{path: a}]\n", "a: [", "- b\n"}) {
+    EXPECT_TRUE(changed_files(write("config.yaml", text), files).empty());
+  }
+}
+
 TEST_F(Identity, HoldsTheContentOfALog) {
   write_log("drive.log");
   const std::string x = write("y.yaml", "log: drive.log\nmetrics: [path_length]\n");

@@ -20,6 +20,19 @@ std::map<std::string, std::string> checksums(const InputFiles& files) {
   return by_path;
 }
 
+std::vector<std::string> changed_in(const ConfigNode& config,
+                                    const std::map<std::string, std::string>& now) {
+  const ConfigNode* files = config.find("files");
+  if (files == nullptr) return {};
+  std::vector<std::string> changed;
+  for (const ConfigNode& file : files->items()) {
+    const auto found = now.find(file.at("path").text());
+    if (found == now.end() || found->second == file.at("sha256").text()) continue;
+    changed.push_back(found->first);
+  }
+  return changed;
+}
+
 }  // namespace
 
 std::string files_yaml(const InputFiles& files) {
@@ -33,17 +46,11 @@ std::string files_yaml(const InputFiles& files) {
 
 std::vector<std::string> changed_files(const std::string& config_path, const InputFiles& now) {
   if (!std::filesystem::exists(config_path)) return {};
-  const ConfigNode config = load_config(config_path);
-  const ConfigNode* files = config.find("files");
-  if (files == nullptr) return {};
-  const std::map<std::string, std::string> found = checksums(now);
-  std::vector<std::string> changed;
-  for (const ConfigNode& file : files->items()) {
-    const auto same_path = found.find(file.at("path").text());
-    if (same_path == found.end() || same_path->second == file.at("sha256").text()) continue;
-    changed.push_back(same_path->first);
+  try {
+    return changed_in(load_config(config_path), checksums(now));
+  } catch (const InputError&) {
+    return {};  // of somebody else, or damaged: nothing is known of its files
   }
-  return changed;
 }
 
 std::string told_changes(const std::string& config_path, const InputFiles& now) {

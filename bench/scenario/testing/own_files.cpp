@@ -82,7 +82,7 @@ std::string OwnFiles::scenario(const std::string& world, const std::string& more
                              "rbpf: {particles: 2, odometry_errors: errors.yaml}\n"
                              "sweep: {robot.odometry.distance_per_meter: [0 cm, 5 cm]}\n"
                              "compare: {raw: {estimator: odometry}, filter: {estimator: rbpf}}\n"
-                             "seeds: 2\nseries_step: 0.5 s\n"
+                             "series_step: 0.5 s\n"
                              "metrics: [path_length, largest_error, position_error]\n"
                              "plots: [{y: path_length}, {kind: series, y: position_error}]\n"
                              "claims: [{metric: largest_error, of: filter, at_most: raw}]\n" +
