@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "bench/scenario/run_scenario.h"
 #include "bench/scenario/testing/own_files.h"
 #include "bench/sources/files_record.h"
 #include "core/file/hash.h"
@@ -161,6 +162,20 @@ TEST_F(Identity, ALogThatChangesAfterThePlanStopsAllRuns) {
   std::ofstream(path("drive.log"), std::ios::app) << "# edited\n";
   EXPECT_INPUT_ERROR(run(plan, "r"), "drive.log: has changed since the runs were planned");
   EXPECT_FALSE(std::filesystem::exists(path("r/runs.csv")));
+}
+
+TEST_F(Identity, UnfinishedRunsSayWhatTheyWereMadeOf) {
+  const ScenarioPlan plan = planned(scenario("room.yaml"));
+  std::filesystem::create_directory(path("r"));
+  const ScenarioRunOptions options{.folder = path("r")};
+  const auto stops_soon = [](std::size_t done, std::size_t) { return done < 1; };
+  EXPECT_FALSE(run_scenario(plan, options, stops_soon).complete);
+  std::ofstream(path("room.yaml"), std::ios::app) << "# edited\n";
+  const ScenarioPlan edited = planned(path("x.yaml"));
+  EXPECT_THAT(changed_files(path("r/runs/config.yaml"), input_files(edited)),
+              ElementsAre(path("room.yaml")));
+  EXPECT_INPUT_ERROR(run_scenario(edited, options, stops_soon),
+                     "these unfinished runs are of another configuration");
 }
 
 TEST_F(Identity, WordsPlotsAndClaimsAreNoPartOfIt) {

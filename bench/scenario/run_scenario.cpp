@@ -16,6 +16,7 @@
 #include "bench/scenario/runner.h"
 #include "bench/scenario/staging_folder.h"
 #include "core/check.h"
+#include "core/file/atomic_file.h"
 
 namespace mapbed {
 namespace {
@@ -118,6 +119,9 @@ ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& opt
     return finished_run(plan, options.folder);
   }
   StagingFolder staging(options.folder, plan.results, identity, options.restart);
+  // Tells a later start why runs that stay unfinished do not count any more.
+  write_file((fs::path(options.folder) / "runs" / "config.yaml").string(),
+             plan.results.config_yaml);
   ScenarioRun run = all_runs(plan, options.threads, staging, may_go_on);
   if (!run.complete) return run;
   staging.collect(run.results);
