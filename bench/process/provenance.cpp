@@ -73,7 +73,8 @@ std::string to_json(const Provenance& p) {
 }
 
 std::string sha256_of_program() {
-  return sha256_of_file("/proc/self/exe");
+  static const std::string digits = sha256_of_file("/proc/self/exe");
+  return digits;
 }
 
 }  // namespace mapbed

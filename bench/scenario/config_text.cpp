@@ -59,15 +59,14 @@ std::string runs_text(const ScenarioPlan& plan) {
   return text;
 }
 
-// All options that held in the runs of a variant, as settings.
+// All options that held in the runs of a variant, as settings; without those of logs where a run
+// has several, for what is set of one would be set of all.
 Settings complete_settings(const ConfigNode& variant) {
-  Settings all;
-  for (const std::string& part : variant.keys()) {
-    for (Setting setting : settings_of(variant.at(part))) {
-      if (part != kSource && part != "experiment") setting.path = part + "." + setting.path;
-      all.push_back(std::move(setting));
-    }
-  }
+  Settings all = settings_of(variant.at("experiment"));
+  const ConfigNode* source = variant.find(kSource);
+  if (source == nullptr || variant.keys().size() > 2) return all;
+  const Settings of_log = settings_of(*source);
+  all.insert(all.end(), of_log.begin(), of_log.end());
   return all;
 }
 

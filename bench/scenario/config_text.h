@@ -21,7 +21,7 @@ struct ScenarioPlan;
 // Run again, it gives the same results, this file included, wherever it was copied to: paths of
 // files that are not the program's are whole ones. What stands under `runs` holds then instead of
 // the defaults, which a later program may have changed; but not where the sweep or the command line
-// chooses another world, robot, log, … than it is of.
+// chooses another world, robot, log, … than it is of, nor for several logs of one run.
 std::string config_text(const ScenarioPlan& plan);
 
 // Whether a file is one of these, and the scenario in it. Throws InputError for one of an older

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "bench/scenario/identity.h"
 #include "bench/scenario/runner.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
@@ -117,6 +118,19 @@ TEST_F(Needs, AFurtherLogWithTheSameSettingsIsAnotherDrive) {
   const RunRow row = row_of(plan);
   EXPECT_NEAR(row.values[0], row.values[1], 0.2 * row.values[0]);
   EXPECT_EQ(row.values[2], 0.0);
+}
+
+// At both levels: what is swept is no more of one log than of the other.
+TEST_F(Needs, FurtherLogsComeBackFromTheConfiguration) {
+  const ScenarioPlan plan =
+      this->plan(kDrive + std::string("mapping: {world: corridor, path: there_and_back}\n"
+                                      "sweep: {recorder.longest: [2 s, 3 s]}\n"
+                                      "metrics: [length, mapping_length]\n"),
+                 experiment(Experiment::Needs::truth, {"mapping"}));
+  const ScenarioPlan again =
+      this->plan(plan.results.config_yaml, experiment(Experiment::Needs::truth, {"mapping"}));
+  EXPECT_EQ(again.results.config_yaml, plan.results.config_yaml);
+  EXPECT_EQ(identity_of(again), identity_of(plan));
 }
 
 TEST_F(Needs, MistakesInAFurtherLogAreFoundBeforeARun) {
