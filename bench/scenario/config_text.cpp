@@ -74,8 +74,9 @@ Settings complete_settings(const ConfigNode& variant) {
 
 std::string config_text(const ScenarioPlan& plan) {
   return group("scenario", plan_yaml(plan.results)) + given_text(plan.scenario) +
+         files_yaml(input_files(plan)) +
          "runs:  # all options of each variant, at the first level of a sweep\n" +
-         indented(runs_text(plan), 2) + files_yaml(input_files(plan));
+         indented(runs_text(plan), 2);
 }
 
 bool is_config(const ConfigNode& file) {

@@ -15,8 +15,8 @@ struct ScenarioPlan;
 //     world: office
 //   compare:     # what differs in each variant, with what the command line gave
 //     raw: {estimator: odometry}
-//   runs:        # every option that held in each variant, at the first level of a sweep
 //   files:       # that the runs were made of
+//   runs:        # every option that held in each variant, at the first level of a sweep
 //
 // Run again, it gives the same results, this file included, wherever it was copied to: paths of
 // files that are not the program's are whole ones. What stands under `runs` holds then instead of
