@@ -61,7 +61,7 @@ void tell_changed_files(const std::string& folder, const ScenarioPlan& plan) {
   };
   const std::string of_folder = folder + "/config.yaml";
   tell(of_folder, "all runs are done anew");
-  tell(folder + "/runs/config.yaml", "unfinished runs are of the old one");
+  tell(folder + "/runs/tables/config.yaml", "unfinished runs are of the old one");
   std::error_code none;
   if (std::filesystem::equivalent(of_folder, plan.scenario.path, none)) return;
   tell(plan.scenario.path, "the results may be others");

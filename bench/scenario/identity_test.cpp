@@ -172,7 +172,7 @@ TEST_F(Identity, UnfinishedRunsSayWhatTheyWereMadeOf) {
   EXPECT_FALSE(run_scenario(plan, options, stops_soon).complete);
   std::ofstream(path("room.yaml"), std::ios::app) << "# edited\n";
   const ScenarioPlan edited = planned(path("x.yaml"));
-  EXPECT_THAT(changed_files(path("r/runs/config.yaml"), input_files(edited)),
+  EXPECT_THAT(changed_files(path("r/runs/tables/config.yaml"), input_files(edited)),
               ElementsAre(path("room.yaml")));
   EXPECT_INPUT_ERROR(run_scenario(edited, options, stops_soon),
                      "these unfinished runs are of another configuration");

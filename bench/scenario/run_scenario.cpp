@@ -120,7 +120,7 @@ ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& opt
   }
   StagingFolder staging(options.folder, plan.results, identity, options.restart);
   // Tells a later start why runs that stay unfinished do not count any more.
-  write_file((fs::path(options.folder) / "runs" / "config.yaml").string(),
+  write_file((fs::path(options.folder) / "runs" / "tables" / "config.yaml").string(),
              plan.results.config_yaml);
   ScenarioRun run = all_runs(plan, options.threads, staging, may_go_on);
   if (!run.complete) return run;
