@@ -10,6 +10,7 @@
 #include "bench/scenario/config_text.h"
 #include "bench/sources/source_settings.h"
 #include "core/config/suggestion.h"
+#include "core/config/yaml_limit.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -140,6 +141,18 @@ void check_offer(const Experiment& experiment, const SourcePlan& source, const S
       "give 'world' and 'robot' instead, for a simulated log");
 }
 
+// What is written shall be read again: a report and a later start do.
+void check_config(const ScenarioPlan& plan) {
+  const std::size_t bytes = plan.results.config_yaml.size();
+  if (bytes <= kLargestYaml) return;
+  throw InputError(
+      {plan.scenario.path},
+      fmt::format("the complete configuration of {} variants has {} MB, too many to be "
+                  "read again",
+                  plan.scenario.variants.size(), bytes >> 20),
+      "compare fewer variants, or sweep an option instead");
+}
+
 }  // namespace
 
 int ScenarioPlan::runs() const {
@@ -222,6 +235,7 @@ ScenarioPlan make_plan(Scenario scenario, const Experiment& experiment) {
   }
   plan.results.skipped = skipped_in(plan);
   plan.results.config_yaml = config_text(plan);
+  check_config(plan);
   return plan;
 }
 

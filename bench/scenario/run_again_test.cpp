@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "bench/results/figures.h"
@@ -88,6 +89,22 @@ TEST_F(ConfigFile, IsSimulatedToo) {
   const ScenarioChoice choice{.settings = {parse_setting(level)}};
   EXPECT_EQ(simulation_in(load_scenario(config, choice)).config,
             simulation_in(load_scenario(path("x.yaml"), choice)).config);
+}
+
+std::string compared(int variants) {
+  std::string compare = "compare:\n";
+  for (int i = 0; i < variants; ++i) {
+    compare += fmt::format("  v{}: {{estimator: rbpf, rbpf.particles: {}}}\n", i, i + 1);
+  }
+  return "world: corridor\nrobot: ours.yaml\nmetrics: [path_length]\n" + compare;
+}
+
+TEST_F(ConfigFile, OfManyVariantsIsReadBackOrRefusedBeforeARun) {
+  const ScenarioPlan plan = planned(write("y.yaml", compared(120)));
+  const ScenarioPlan again = planned(write("config.yaml", plan.results.config_yaml));
+  EXPECT_EQ(again.results.config_yaml, plan.results.config_yaml);
+  EXPECT_INPUT_ERROR(planned(write("y.yaml", compared(900))),
+                     "y.yaml: the complete configuration of 900 variants has ");
 }
 
 TEST_F(ConfigFile, OfAnOlderProgramIsRefusedInWords) {

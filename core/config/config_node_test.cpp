@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/config/yaml_limit.h"
 #include "core/geometry/angle.h"
 #include "core/testing/throws_input_error.h"
 
@@ -130,7 +131,7 @@ TEST(YamlReader, RefusesWhatIsNoText) {
   EXPECT_INPUT_ERROR(read(std::string("a: 1\n\0 b", 8)), "x.yaml:2: this is not text");
   EXPECT_INPUT_ERROR(read("a: \xff\xfe"), "this is not text (byte 255)");
   EXPECT_INPUT_ERROR(read("a: \xc0\x80"), "this is not text");  // overlong
-  EXPECT_INPUT_ERROR(read(std::string((1 << 20) + 1, ' ')), "is larger than 1 MB");
+  EXPECT_INPUT_ERROR(read(std::string(kLargestYaml + 1, ' ')), "is larger than 8 MB");
   EXPECT_EQ(read("a: Gänge").at("a").text(), "Gänge");
 }
 

@@ -7,13 +7,13 @@
 
 #include "core/check.h"
 #include "core/config/config_node.h"
+#include "core/config/yaml_limit.h"
 #include "core/file/text_file.h"
 
 namespace mapbed {
 namespace {
 
-constexpr std::size_t kLargestFile = 1 << 20;  // [bytes] configuration is written by hand
-constexpr std::size_t kDeepest = 32;           // nested lists and maps
+constexpr std::size_t kDeepest = 32;  // nested lists and maps
 constexpr std::size_t kLongestKey = 200;
 
 // Builds the tree of nodes from the parser's events. Aliases are refused rather than followed: they
@@ -189,8 +189,8 @@ void check_is_text(std::string_view yaml, const SourceLocation& start) {
 }  // namespace
 
 ConfigNode parse_config(std::string_view yaml, const SourceLocation& place) {
-  if (yaml.size() > kLargestFile) {
-    throw InputError(SourceLocation{place.file, 0}, "is larger than 1 MB",
+  if (yaml.size() > kLargestYaml) {
+    throw InputError(SourceLocation{place.file, 0}, "is larger than 8 MB",
                      "is it a configuration file?");
   }
   check_is_text(yaml, place);
@@ -211,7 +211,7 @@ ConfigNode parse_config(std::string_view yaml, const SourceLocation& place) {
 }
 
 ConfigNode load_config(const std::string& yaml_path) {
-  return parse_config(read_text_file(yaml_path, kLargestFile), {yaml_path, 1});
+  return parse_config(read_text_file(yaml_path, kLargestYaml), {yaml_path, 1});
 }
 
 }  // namespace mapbed
