@@ -24,6 +24,14 @@ std::string processor_name() {
   return {};
 }
 
+bool has_fused_multiply_add() {
+#if defined(__x86_64__)
+  return __builtin_cpu_supports("fma") != 0;
+#else
+  return true;
+#endif
+}
+
 std::string now_utc() {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
@@ -38,6 +46,7 @@ Json machine() {
   uname(&system);
   const double pages = static_cast<double>(sysconf(_SC_PHYS_PAGES));
   return {{"processor", processor_name()},
+          {"fused_multiply_add", has_fused_multiply_add()},  // the promise of equal bytes ends here
           {"cores", sysconf(_SC_NPROCESSORS_ONLN)},
           {"memory_bytes", pages * static_cast<double>(sysconf(_SC_PAGESIZE))},
           {"system", std::string(system.sysname) + " " + system.release + " " + system.machine}};
