@@ -81,7 +81,7 @@ TEST_F(SimulateCommand, TheConfigurationBesideALogGivesItAgain) {
   const Outcome again = call({"simulate", "inner/a.config.yaml", "-o", "b.log"});
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_THAT(again.err, ::testing::Not(HasSubstr("changed since")));
-  for (const char* ending : {".log", ".truth.gz", "_map.pgm", ".relations"}) {
+  for (const char* ending : {".log", ".truth.gz", "_map.pgm", ".tum"}) {
     EXPECT_EQ(text(std::string("a") + ending), text(std::string("b") + ending)) << ending;
   }
   EXPECT_EQ(text("inner/a.config.yaml"), text("b.config.yaml"));

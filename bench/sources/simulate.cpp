@@ -1,6 +1,7 @@
 #include "bench/sources/simulate.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -96,6 +97,16 @@ void write_true_map(const std::string& stem, const PreparedSimulation& simulatio
   write_map_server(stem + "_map", file);
 }
 
+// A drive too short for a relation has no such file, nor an older one of its name.
+void write_relations(const std::string& path, const Trajectory& truth) {
+  const std::string text = relations_text(truth);
+  if (text.empty()) {
+    std::filesystem::remove(path);
+  } else {
+    write_text_file(path, text);
+  }
+}
+
 }  // namespace
 
 const SimulationParts::BuiltWorld& SimulationParts::world(const std::string& name,
@@ -189,7 +200,7 @@ void write_simulation(const std::string& log_path, const SimulationResult& resul
   write_carmen_log(log_path, log);
   const std::string stem = stem_of(log_path);
   write_truth(stem + ".truth.gz", result.recording.truth);
-  write_text_file(stem + ".relations", relations_text(truth));
+  write_relations(stem + ".relations", truth);
   write_trajectory(stem + ".tum", truth);
   write_text_file(stem + ".config.yaml", fmt::format("seed: {}\n", result.seed) +
                                              result.simulation.config +

@@ -74,8 +74,9 @@ struct SimulationResult {
 SimulationResult run_simulation(PreparedSimulation simulation, std::uint64_t seed);
 SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed);
 
-// Beside LOG = name.log[.gz]: name.truth.gz, name.relations, name.tum (true poses), name_map.pgm
-// and .yaml (true map at the first laser's height), name.config.yaml.
+// Beside LOG = name.log[.gz]: name.truth.gz, name.relations (where the drive is long enough for
+// one), name.tum (true poses), name_map.pgm and .yaml (true map at the first laser's height),
+// name.config.yaml.
 void write_simulation(const std::string& log_path, const SimulationResult& result);
 
 }  // namespace mapbed

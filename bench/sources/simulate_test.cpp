@@ -36,7 +36,7 @@ std::vector<std::string> bytes_of_drives(int threads) {
   });
   std::vector<std::string> bytes;
   for (std::size_t i = 0; i < kDrives; ++i) {
-    for (const char* ending : {".log", ".truth.gz", "_map.pgm", ".relations", ".tum"}) {
+    for (const char* ending : {".log", ".truth.gz", "_map.pgm", ".tum"}) {
       bytes.push_back(read_text_file(folder.file(std::to_string(i) + ending)));
     }
   }
@@ -47,7 +47,7 @@ TEST(Simulate, GivesTheSameLogTruthAndMapWithAnyNumberOfThreads) {
   const std::vector<std::string> alone = bytes_of_drives(1);
   EXPECT_EQ(alone, bytes_of_drives(2));
   EXPECT_EQ(alone, bytes_of_drives(8));
-  EXPECT_NE(alone[0], alone[5]);  // another seed, another log
+  EXPECT_NE(alone[0], alone[4]);  // another seed, another log
 }
 
 TEST(Simulate, APersonMoreChangesNobodyElsesNoise) {

@@ -10,6 +10,10 @@ namespace mapbed {
 
 InputFile input_file(const std::string& path) {
   check_is_file(path);
+  if (!std::filesystem::is_regular_file(path)) {
+    throw InputError({path}, "is a pipe or a device, which can be read only once",
+                     "save what comes from it as a file");
+  }
   return {std::filesystem::absolute(path).lexically_normal().string(), sha256_of_file(path)};
 }
 

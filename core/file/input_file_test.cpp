@@ -25,6 +25,7 @@ TEST(InputFile, ThatIsNotThereIsTold) {
   const TemporaryFolder folder;
   EXPECT_INPUT_ERROR(input_file(folder.file("a.txt")), "a.txt: no such file");
   EXPECT_INPUT_ERROR(input_file(folder.file(".")), "is a folder, not a file");
+  EXPECT_INPUT_ERROR(input_file("/dev/null"), "is a pipe or a device, which can be read only once");
 }
 
 TEST(InputFile, ThatChangesIsTold) {

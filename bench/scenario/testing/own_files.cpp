@@ -91,7 +91,7 @@ std::string OwnFiles::scenario(const std::string& world, const std::string& more
 
 void OwnFiles::write_log(const std::string& name) const {
   SimulationPlan drive{.world = "corridor", .robot = path("ours.yaml"), .people = 0};
-  drive.settings = {parse_setting("recorder.longest=1 s")};
+  drive.settings = {parse_setting("recorder.longest=5 s")};
   write_simulation(path(name), run_simulation(drive, 1));
 }
 

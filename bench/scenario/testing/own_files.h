@@ -22,7 +22,7 @@ class OwnFiles : public ::testing::Test {
 
   // Short drives in a world, by two methods at two levels of noise.
   std::string scenario(const std::string& world, const std::string& more = "") const;
-  void write_log(const std::string& name) const;  // of a second, in the corridor
+  void write_log(const std::string& name) const;  // of five seconds, in the corridor
 
   static ScenarioPlan planned(const std::string& scenario,
                               const std::vector<std::string>& set = {});
