@@ -54,6 +54,7 @@ Settings settings_from(const MapArguments& arguments) {
 struct ChosenLog {
   std::string path;
   LogOptions options;
+  std::string sha256 = {};  // of the file before it is read; empty for a pipe
 };
 
 // The name of a log in scenarios/logs, and not a path. A folder of that name, as of earlier
@@ -71,10 +72,13 @@ ChosenLog chosen_log(const std::string& log) {
   if (is_name_of_log(log)) {
     description = find_data_file("log", "scenarios/logs", log).string();
   }
-  if (!description.ends_with(".yaml")) return {log, {}};
+  if (!description.ends_with(".yaml")) {
+    return {log, {}, fs::is_regular_file(log) ? input_file(log).sha256 : ""};
+  }
   const LogDescription found = load_log_description(description);
   HashedFiles files;
-  return {find_stored(found, found.log, files).path, found.options};
+  const InputFile file = find_stored(found, found.log, files);
+  return {file.path, found.options, file.sha256};
 }
 
 // "intel.clf.gz" -> "intel"
@@ -144,6 +148,7 @@ int map_log(const MapArguments& arguments) {
     fmt::print(stderr, "mapbed: interrupted before the first scan; nothing was written\n");
     return kInterrupted;
   }
+  run.log_sha256 = chosen.sha256;
   write_map_run(folder, arguments.log, log, run);
   print_result(run, folder, stopwatch.seconds());
   if (run.complete()) return kDone;

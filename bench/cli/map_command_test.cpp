@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "bench/cli/testing/command_test.h"
+#include "core/file/hash.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/samples.h"
 #include "core/log/dialects/carmen_log.h"
@@ -58,6 +59,12 @@ TEST_F(MapCommand, WritesMapTrajectoryAndFiguresBesideTheCaller) {
   EXPECT_THAT(text("room_map/summary.json"),
               AllOf(HasSubstr("\"complete\": true"), HasSubstr("\"method\": \"odometry\"")));
   EXPECT_THAT(text("room_map/cost.csv"), StartsWith("scans,recorded_s,"));
+}
+
+TEST_F(MapCommand, TellsWhichLogItIsOf) {
+  ASSERT_EQ(run({"--out", "a"}).status, 0);
+  EXPECT_THAT(text("a/summary.json"),
+              HasSubstr("\"log_sha256\": \"" + sha256_of_file(path("room.log")) + "\""));
 }
 
 TEST_F(MapCommand, TheSameCommandGivesTheSameBytes) {

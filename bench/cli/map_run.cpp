@@ -55,6 +55,7 @@ std::string summary_json(const std::string& log_name, const RecordedLog& log, co
       {"log", log_name},
       {"format", log.format},
       {"method", run.config.method},
+      {"log_sha256", run.log_sha256},
       {"seed", run.config.seed},
       {"complete", run.complete()},
       {"scans_in_log", run.scans_in_log},

@@ -26,6 +26,7 @@ struct MapRun {
   OccupancyMap map;
   int scans_in_log = 0;  // more than poses in the estimate: it was interrupted
   MapCost cost;
+  std::string log_sha256 = {};  // of the log's file; empty where there is none to be read again
 
   bool complete() const { return static_cast<int>(estimate.trajectory.size()) == scans_in_log; }
 };
