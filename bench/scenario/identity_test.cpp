@@ -155,6 +155,12 @@ TEST_F(DescribedLog, AnEditThatIsDescribedGivesOtherRuns) {
   EXPECT_NE(identity_of(planned(path("y.yaml"))), identity_of(before));
 }
 
+TEST_F(DescribedLog, RelationsThatChangeAfterThePlanStopAllRuns) {
+  const ScenarioPlan plan = planned(path("y.yaml"));
+  std::ofstream(path("drive.relations"), std::ios::app) << "# edited\n";
+  EXPECT_INPUT_ERROR(run(plan, "r"), "drive.relations: has changed since the runs were planned");
+}
+
 TEST_F(Identity, ALogThatChangesAfterThePlanStopsAllRuns) {
   write_log("drive.log");
   const ScenarioPlan plan =
