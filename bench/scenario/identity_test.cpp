@@ -53,6 +53,17 @@ TEST_F(Identity, HoldsThePlanAndItsPicture) {
   expect_noticed(x, "plan.pgm", "\n");
 }
 
+TEST_F(Identity, HoldsTheFilesThatExperimentsName) {
+  expect_noticed(write("y.yaml",
+                       "experiment: laser_readings\nsensor: sensors/laser.yaml\n"
+                       "metrics: [chi_square_score]\n"),
+                 "sensors/laser.yaml", "# edited\n");
+  expect_noticed(write("y.yaml",
+                       "experiment: motion_models\nworld: corridor\nrobot: pioneer\n"
+                       "odometry_file: errors.yaml\nmetrics: [motions]\n"),
+                 "errors.yaml", "# edited\n");
+}
+
 TEST_F(Identity, HoldsTheShippedFilesByNamesThatAreTheSameEverywhere) {
   const ScenarioPlan plan = planned(scenario("workshop", "driver.speed: 0.3 m/s\n"));
   EXPECT_THAT(plan.results.config_yaml, HasSubstr("  - {path: worlds/workshop.yaml, sha256: "));
