@@ -69,7 +69,8 @@ void tell_changed_files(const std::string& folder, const ScenarioPlan& plan) {
 
 void print_claims(const Results& results) {
   for (const Verdict& claim : results.verdicts) {
-    const char* verdict = !claim.judged ? "not judged" : claim.held ? "held" : "NOT HELD";
+    const char* not_judged = results.quick ? "quick: not judged" : "not judged";
+    const char* verdict = !claim.judged ? not_judged : claim.held ? "held" : "NOT HELD";
     fmt::print("{:<10} {}\n           {}\n", verdict, claim.claim, claim.measured);
   }
 }

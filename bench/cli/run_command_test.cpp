@@ -161,6 +161,15 @@ TEST_F(RunCommand, TheExitStatusTellsWhetherClaimsHold) {
   EXPECT_EQ(status({"--strict"}), 2);
 }
 
+TEST_F(RunCommand, AQuickRunSaysThatItDoesNotJudge) {
+  write("short.yaml", "base: drives.yaml\nseeds: 2\nquick: {set: {recorder.longest: 1 s}}\n");
+  const Outcome outcome = call({"run", "./short.yaml", "--quick", "--strict", "--out", "q"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("quick: not judged failures of 'matched'"));
+  EXPECT_THAT(outcome.out, ::testing::Not(::testing::AnyOf(HasSubstr("held"), HasSubstr("HELD"))));
+  EXPECT_FALSE(load_results(path("q")).verdicts.at(0).judged);
+}
+
 TEST_F(RunCommand, RefusesBadInputInOneLine) {
   const auto refuse = [&](const std::vector<std::string>& arguments, const std::string& message) {
     const Outcome outcome = run(arguments);

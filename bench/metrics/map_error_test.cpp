@@ -37,6 +37,7 @@ TEST(MapError, CountsWhatWasNotFound) {
   EXPECT_DOUBLE_EQ(errors.precision(), 1.0);
   EXPECT_EQ(errors.found, 5);  // four cells, and one above them within the tolerance
   EXPECT_EQ(errors.true_occupied, 10);
+  EXPECT_DOUBLE_EQ(errors.f1(), 2.0 / 3.0);  // the harmonic mean of 1 and 1/2
 }
 
 TEST(MapError, WhatWasNeverSeenDoesNotCount) {

@@ -84,6 +84,19 @@ TEST(Claim, IsNotJudgedWhereTheQuickRunIsTooShortForAValue) {
   EXPECT_FALSE(fails.held);
 }
 
+TEST(Claim, IsNotJudgedByAQuickRunThatIsTooSmallWhateverItGives) {
+  Results results = results_of({{1}, {1}, {1}}, {{2}, {2}, {2}});
+  results.quick = true;
+  EXPECT_TRUE(judged("{metric: error, of: a, below: b}", results).held);
+  results.judges = false;
+  for (const std::string relation : {"below", "above"}) {
+    const Verdict result = judged("{metric: error, of: a, " + relation + ": b}", results);
+    EXPECT_FALSE(result.judged) << relation;
+    EXPECT_FALSE(result.held) << relation;
+    EXPECT_THAT(result.measured, ::testing::HasSubstr("1 m against 2 m"));
+  }
+}
+
 TEST(Claim, AFailedRunCountsInAQuickRunToo) {
   Results results = results_of({{1}, {1}, {kNone}}, {{2}, {2}, {2}});
   results.quick = true;
@@ -113,9 +126,29 @@ TEST(Claim, ASignTestNeedsEnoughPairs) {
   EXPECT_TRUE(judged("{metric: error, of: a, below: b, test: sign}",
                      results_of({low, low, low}, {high, high, high}))
                   .held);
-  EXPECT_FALSE(judged("{metric: error, of: a, below: b, test: sign, at: {x: 1}}",
-                      results_of({{1, 1}, {1, 1}, {1, 1}}, {{2, 2}, {2, 2}, {2, 2}}))
-                   .held);  // 1/4
+}
+
+// All of four pairs are one way by chance in one of 16 cases, all of five in one of 32.
+TEST(Claim, ASignTestOfFewerThanFivePairsIsNotJudged) {
+  const auto at_first_level = [](const std::vector<double>& a, const std::vector<double>& b,
+                                 const std::string& relation) {
+    return judged("{metric: error, of: a, " + relation + ": b, test: sign, at: {x: 1}}",
+                  results_of({a, {1}, {1}}, {b, {1}, {1}}));
+  };
+  const std::vector<double> four(4, 1.0);
+  const std::vector<double> more(4, 2.0);
+  for (const std::string relation : {"below", "above"}) {
+    const Verdict few = at_first_level(four, more, relation);
+    EXPECT_FALSE(few.judged) << relation;
+    EXPECT_FALSE(few.held) << relation;
+    EXPECT_THAT(few.measured, ::testing::HasSubstr("p = "));
+    EXPECT_THAT(few.measured, ::testing::HasSubstr("4 are too few"));
+  }
+  EXPECT_TRUE(at_first_level({1, 1, 1, 1, 1}, {2, 2, 2, 2, 2}, "below").held);
+  // Five that could have told, and do not: two are equal.
+  const Verdict equal = at_first_level({1, 1, 1, 2, 2}, {2, 2, 2, 2, 2}, "below");
+  EXPECT_TRUE(equal.judged);
+  EXPECT_FALSE(equal.held);
 }
 
 // In the order in which they are written.

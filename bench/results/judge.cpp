@@ -137,7 +137,7 @@ class Judge {
       return result;
     }
     const bool fails = count_of(all, Outcome::fails) > 0;
-    result.judged = fails || count_of(all, Outcome::not_judged) == 0;
+    result.judged = results_.judges && (fails || count_of(all, Outcome::not_judged) == 0);
     result.held = result.judged && !fails;
     result.measured = figures_of(all);
     if (claim_.sign_test && result.judged) add_sign_test(result);
@@ -206,6 +206,7 @@ class Judge {
   void add_sign_test(Verdict& result) const {
     const std::vector<int> levels = levels_of(claim_, results_);
     const int own = variant_index(results_, claim_.of);
+    int pairs = 0;
     int wins = 0;
     int losses = 0;
     for (const RunRow& run : results_.runs) {
@@ -219,13 +220,16 @@ class Judge {
       const double difference =
           margin(claim_.relation, run.values[static_cast<std::size_t>(metric_)],
                  pair->values[static_cast<std::size_t>(other_metric_)] * claim_.times, 0.0);
+      ++pairs;
       if (difference > 0.0) ++wins;
       if (difference < 0.0) ++losses;
     }
     const double p = sign_test_probability(wins, losses);
-    result.held = result.held && p < kSignificance;
+    result.judged = sign_test_probability(pairs, 0) < kSignificance;  // equal pairs count here
+    result.held = result.held && result.judged && p < kSignificance;
     result.measured +=
         fmt::format("; sign test: {} pairs for it, {} against, p = {:.3g}", wins, losses, p);
+    if (!result.judged) result.measured += fmt::format(", {} are too few", pairs);
   }
 
   const Claim& claim_;

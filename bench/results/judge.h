@@ -9,7 +9,8 @@ namespace mapbed {
 // holds where it does so at all its levels and for all its variants; a level without any value, or
 // with runs that have none, counts against it. Not judged is a claim that fails nowhere and has
 // levels without a value because their runs were skipped or, in a quick run, too short to give one;
-// runs that failed are never the reason.
+// runs that failed are never the reason. Nor is one judged in a quick run that does not judge, or
+// whose sign test has so few pairs that it would not find for the claim if all of them were for it.
 Verdict judge(const Claim& claim, const Results& results);
 
 // Results::verdicts of all Results::claims; those about cost come last, as they do in files.

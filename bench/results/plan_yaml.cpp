@@ -59,6 +59,7 @@ void read_words(const ConfigNode& scenario, Results& plan) {
   plan.thesis = text_in(scenario, "thesis");
   plan.experiment = text_in(scenario, "experiment", "slam");
   if (const ConfigNode* quick = scenario.find("quick")) plan.quick = quick->flag();
+  if (const ConfigNode* judges = scenario.find("judges")) plan.judges = judges->flag();
   if (const ConfigNode* seed = scenario.find("seed")) plan.seed = seed->unsigned_number();
   if (const ConfigNode* seeds = scenario.find("seeds")) plan.seeds = seeds->whole_number();
 }
@@ -73,7 +74,9 @@ void read_claims(const ConfigNode& claims, Results& plan) {
 
 std::string design_yaml(const Results& plan) {
   std::string text = "experiment: " + yaml_scalar(plan.experiment) + "\n";
-  text += fmt::format("quick: {}\nseed: {}\nseeds: {}\n", plan.quick, plan.seed, plan.seeds);
+  text += fmt::format("quick: {}\n", plan.quick);
+  if (plan.quick) text += fmt::format("judges: {}\n", plan.judges);
+  text += fmt::format("seed: {}\nseeds: {}\n", plan.seed, plan.seeds);
   text += plan.axes.empty() ? "sweep: {}\n" : "sweep:\n";
   for (const SweepAxis& axis : plan.axes) {
     text += "  " + yaml_scalar(axis.path) + ": " + flow_list(axis.texts) + "\n";

@@ -73,6 +73,7 @@ struct Results {
   std::string thesis;  // "Figure 3.10"
   std::string experiment;
   bool quick = false;      // the reduced run
+  bool judges = true;      // false: a quick run that is too small to judge claims by
   std::uint64_t seed = 1;  // the first one
   int seeds = 1;
   std::vector<SweepAxis> axes;

@@ -102,7 +102,8 @@ Scenario scenario_in(const ConfigNode& config) {
                     .metrics_place = config.at("scenario").at("metrics").place(),
                     .plots = plan.plots,
                     .claims = plan.claims,
-                    .quick = plan.quick};
+                    .quick = plan.quick,
+                    .judges = plan.judges};
   for (const Metric& metric : plan.metrics) scenario.metrics.push_back(metric.name);
   for (const SeriesMetric& series : plan.series_metrics) scenario.metrics.push_back(series.name);
   for (const std::string& name : config.at("compare").keys()) {

@@ -68,6 +68,7 @@ Results empty_results(const Scenario& scenario, const Experiment& experiment) {
   results.thesis = scenario.thesis;
   results.experiment = scenario.experiment;
   results.quick = scenario.quick;
+  results.judges = scenario.judges;
   results.seed = scenario.seed;
   results.seeds = scenario.seeds;
   results.axes = scenario.axes;

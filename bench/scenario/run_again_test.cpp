@@ -69,6 +69,7 @@ TEST_F(ConfigFile, OfAQuickRunIsNotMadeLessAgain) {
   const ScenarioPlan again = planned(write("config.yaml", plan.results.config_yaml));
   EXPECT_EQ(again.results.config_yaml, plan.results.config_yaml);
   EXPECT_TRUE(again.scenario.quick);
+  EXPECT_FALSE(again.results.judges);
 }
 
 TEST_F(ConfigFile, HoldsAgainstDefaultsThatChanged) {

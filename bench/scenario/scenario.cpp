@@ -24,6 +24,7 @@ struct QuickRules {
   int seeds = 1;
   int levels = 2;  // of each axis, spread evenly from the first to the last
   Settings settings;
+  std::optional<bool> judges;  // nothing: with as many seeds and no other settings
 };
 
 struct Reading {
@@ -78,6 +79,7 @@ QuickRules quick_rules_of(const ConfigNode& node) {
     rules.levels = levels->whole_number(at_least(1));
   }
   if (const ConfigNode* set = node.find("set")) rules.settings = settings_of(*set);
+  if (const ConfigNode* judges = node.find("judges")) rules.judges = judges->flag();
   return rules;
 }
 
@@ -165,7 +167,9 @@ std::vector<std::string> evenly_chosen(const std::vector<std::string>& texts, in
 
 void make_quick(Reading& reading) {
   Scenario& scenario = reading.scenario;
+  const bool all_there = reading.quick.seeds >= scenario.seeds && reading.quick.settings.empty();
   scenario.quick = true;
+  scenario.judges = reading.quick.judges.value_or(all_there);
   scenario.seeds = std::min(scenario.seeds, reading.quick.seeds);
   for (SweepAxis& axis : scenario.axes) {
     const SourceLocation place = axis.place;

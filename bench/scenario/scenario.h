@@ -32,7 +32,8 @@ namespace mapbed {
 //     - {file: error, x: robot.odometry.rotation_sigma, y: translation_error}
 //   claims:
 //     - {metric: failures, of: matched, at_most: raw, at: every level}
-//   quick: {seeds: 2, levels: 2}          # what --quick makes less of; `set` for more
+//   quick: {seeds: 2, levels: 2}          # what --quick makes less of; `set` for more. With fewer
+//                                         # seeds or a `set`, claims are judged if it says `judges`
 //
 // Every other key is an option of the simulation (world.…, robot.…, simulation.…, driver.…,
 // recorder.…), of how a log is read (log.…) or of the experiment, nested or as a dotted path. An
@@ -66,6 +67,7 @@ struct Scenario {
   std::vector<PlotSpec> plots;
   std::vector<Claim> claims;
   bool quick = false;
+  bool judges = true;  // as Results::judges
 };
 
 struct ScenarioChoice {

@@ -48,6 +48,21 @@ TEST_F(ScenarioFile, QuickKeepsTheEndsOfEachAxis) {
   EXPECT_EQ(plan.runs(), 2 * 2 * 2 * 2);
 }
 
+TEST_F(ScenarioFile, AQuickRunJudgesWithAsManySeedsAndNoOtherSettingsOrWhereItSaysSo) {
+  const auto judges = [&](const std::string& quick) {
+    const ScenarioPlan plan =
+        this->plan(kCells + std::string("seeds: 5\n") + quick, {.quick = true});
+    return plan.results.judges;
+  };
+  EXPECT_FALSE(judges(""));  // one seed
+  EXPECT_TRUE(judges("quick: {seeds: 5, levels: 2}\n"));
+  EXPECT_FALSE(judges("quick: {seeds: 4}\n"));
+  EXPECT_FALSE(judges("quick: {seeds: 5, set: {odds.p_occ: 0.7}}\n"));
+  EXPECT_TRUE(judges("quick: {seeds: 5, set: {odds.p_occ: 0.7}, judges: true}\n"));
+  EXPECT_FALSE(judges("quick: {seeds: 5, judges: false}\n"));
+  EXPECT_TRUE(plan(kCells).results.judges);
+}
+
 TEST_F(ScenarioFile, SetFromTheCommandLineHasTheLastWord) {
   const ScenarioChoice choice{.settings = {parse_setting("hits=[7, 8]"), parse_setting("seeds=4"),
                                            parse_setting("odds.p_occ=0.9")}};

@@ -120,6 +120,10 @@ TEST(LaserNoise, ADarkSurfaceIsSeenHalfTheTimeAtItsLimit) {
   const Echo slanted{.range = 10.0F, .reflectivity = 0.4F, .cos_incidence = 0.25F};
   EXPECT_NEAR(fraction_of(readings({slanted}, laser), 9.9, 10.1), 0.5, fraction_bound(0.5));
 
+  // Four times the standard remission is seen twice as far.
+  const Echo bright{.range = 20.0F, .reflectivity = 0.4F};
+  EXPECT_NEAR(fraction_of(readings({bright}, laser), 19.9, 20.1), 0.5, fraction_bound(0.5));
+
   // One sigma of the limit nearer: Phi(1).
   const Echo nearer{.range = static_cast<float>(10.0 * std::exp(-0.1)), .reflectivity = 0.1F};
   EXPECT_NEAR(fraction_of(readings({nearer}, laser), 8.0, 10.0), 0.8413, fraction_bound(0.8413));

@@ -1,0 +1,95 @@
+// The results in results/ are those of the program of today: the cheapest run of each variant is
+// done again, as its row says to the last digit. Skipped where its log is not here.
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <ostream>
+#include <set>
+
+#include <gmock/gmock.h>
+
+#include "bench/process/thread_limit.h"
+#include "bench/results/result_folder.h"
+#include "bench/scenario/plan.h"
+#include "bench/scenario/runner.h"
+#include "core/file/csv_file.h"
+#include "core/testing/source_tree.h"
+
+namespace mapbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kEnough = 4.0;  // [s] of processor time that the runs of a scenario took
+
+std::vector<std::string> committed_results() {
+  std::vector<std::string> names;
+  for (const std::string& folder : result_folders(source_tree() + "/results")) {
+    names.push_back(fs::path(folder).filename().string());
+  }
+  return names;
+}
+
+// Of the cheapest run's seed, which mostly shares its recording, the cheapest run of each variant;
+// in that order as many as are done in kEnough, but one at least.
+std::vector<int> cheap_runs(const Results& results) {
+  std::vector<CostRow> costs = results.costs;
+  std::sort(costs.begin(), costs.end(),
+            [](const CostRow& a, const CostRow& b) { return a.seconds < b.seconds; });
+  std::map<int, RunRow> rows;
+  for (const RunRow& row : results.runs) rows[row.run] = row;
+  std::set<int> variants;
+  std::vector<int> chosen;
+  double seconds = 0.0;
+  for (const CostRow& cost : costs) {
+    const RunRow& row = rows.at(cost.run);
+    if (row.seed != rows.at(costs.front().run).seed) continue;
+    if (!variants.insert(row.variant).second) continue;
+    seconds += cost.seconds;
+    if (!chosen.empty() && seconds > kEnough) break;
+    chosen.push_back(cost.run);
+  }
+  return chosen;
+}
+
+// By the names of columns, as runs.csv has them: a difference is told in the words of the table.
+std::map<std::string, std::string> fields_of(const Results& results, const RunRow& row) {
+  std::map<std::string, std::string> fields{{"seed", std::to_string(row.seed)},
+                                            {"level", level_text(results, row.level)},
+                                            {"variant", run_words(results, row)},
+                                            {"failure", row.failure}};
+  for (std::size_t i = 0; i < results.metrics.size(); ++i) {
+    fields[results.metrics[i].name] = csv_number(row.values.at(i));
+  }
+  return fields;
+}
+
+class CommittedResult : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(CommittedResult, IsThatOfTheProgramOfToday) {
+  const Results committed = load_results(source_tree() + "/results/" + GetParam());
+  const ScenarioPlan plan = make_plan(load_scenario(GetParam()));
+  const std::vector<int> runs = cheap_runs(committed);
+  ASSERT_FALSE(runs.empty());
+  ASSERT_EQ(plan.runs(), static_cast<int>(committed.runs.size()));
+  for (const int run : runs) {
+    const std::string missing = plan.planned_of(plan.row(run)).missing();
+    if (!missing.empty()) GTEST_SKIP() << missing;
+  }
+  std::map<int, RunRow> today;
+  const RunnerCalls calls{[&today](RunResult result) { today[result.row.run] = result.row; },
+                          [] { return true; }};
+  do_runs(plan, runs, processors(), calls);
+  for (const int run : runs) {
+    SCOPED_TRACE(GetParam() + ", run " + std::to_string(run));
+    EXPECT_EQ(fields_of(plan.results, today.at(run)),
+              fields_of(committed, committed.runs.at(static_cast<std::size_t>(run))));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Results, CommittedResult, ::testing::ValuesIn(committed_results()),
+                         [](const auto& result) { return result.param; });
+
+}  // namespace
+}  // namespace mapbed
