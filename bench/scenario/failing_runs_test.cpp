@@ -1,0 +1,62 @@
+// A run that throws: it stays in the table with its reason, and the others go on.
+
+#include <fstream>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+
+#include "bench/results/result_folder.h"
+#include "bench/scenario/run_scenario.h"
+#include "core/testing/temporary_folder.h"
+
+namespace mapbed {
+namespace {
+
+struct FailingOptions {
+  bool fails = false;
+};
+
+template <class Visitor>
+void visit_fields(FailingOptions& o, Visitor&& visit) {
+  visit("fails", o.fails, "the run throws");
+}
+
+RunOutcome answer(const FailingOptions& options, const RunInput& /*input*/) {
+  if (options.fails) throw std::runtime_error("the map is\nempty, it says");
+  return {.values = {{"answer", 42.0}}};
+}
+
+Experiment failing_experiment() {
+  return make_experiment<FailingOptions>(
+      "failing", "for tests", Experiment::Needs::nothing,
+      {{"answer", Unit::none, "of each run"}, {"failures", Unit::none, "1: it failed", 1.0}},
+      answer);
+}
+
+TEST(FailingRuns, StandInTheTableWithTheirReasonAndTheOthersGoOn) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("x.yaml")) << "metrics: [answer, failures]\nseeds: 3\n"
+                                          "compare: {well: {fails: false}, ill: {fails: true}}\n"
+                                          "claims: [{metric: answer, equals: 42, within: 0},\n"
+                                          "         {metric: failures, of: ill, at_least: 1}]\n";
+  const Experiment experiment = failing_experiment();
+  const ScenarioPlan plan = make_plan(load_scenario(folder.file("x.yaml")), experiment);
+  const ScenarioRun run = run_scenario(plan, {.folder = folder.file("."), .threads = 2},
+                                       [](std::size_t, std::size_t) { return true; });
+  ASSERT_TRUE(run.complete);
+
+  const Results results = load_results(folder.file("."));
+  ASSERT_EQ(results.runs.size(), 6u);
+  for (const RunRow& row : results.runs) {
+    const bool is_well = row.variant == 0;
+    EXPECT_EQ(row.failure, is_well ? "" : "the map is empty, it says") << row.run;  // one line
+    EXPECT_EQ(std::isnan(row.values.at(0)), !is_well) << row.run;
+    if (!is_well) EXPECT_EQ(row.values.at(1), 1.0) << "the metric's value of a failed run";
+  }
+  ASSERT_EQ(results.verdicts.size(), 2u);
+  EXPECT_FALSE(results.verdicts[0].held) << "runs without a value speak against it";
+  EXPECT_TRUE(results.verdicts[1].held);
+}
+
+}  // namespace
+}  // namespace mapbed
