@@ -66,6 +66,14 @@ TEST(Relations, OdometryReachesAStampFromBothSidesAndIsBlended) {
   EXPECT_NEAR(error.mean_translation, 0.0, kRounding);
 }
 
+// Headings of 3.1 and -3.1 are 0.083 rad apart, and pi is between them.
+TEST(Relations, HeadingsAreBlendedAcrossTheWrap) {
+  const Trajectory estimate{{0.0, {0, 0, 0}}, {10.0, {0, 0, 3.1}}, {20.0, {0, 0, -3.1}}};
+  const Trajectory stood{{0.0, {}}, {20.0, {}}};
+  const RelationsError error = relations_error(estimate, {{0.0, 15.0, {0, 0, kPi}}}, stood);
+  EXPECT_NEAR(error.mean_rotation, 0.0, 1e-9);
+}
+
 TEST(Relations, OdometryCarriesOnBeyondTheEnds) {
   const Trajectory odometry{{-3.0, {}}, {0.0, {3, 0, 0}}, {10.0, {13, 0, 0}}, {12.0, {15, 1, 0}}};
   const RelationsError error = relations_error(straight(), {{-3.0, 12.0, {15, 1, 0}}}, odometry);
@@ -107,6 +115,11 @@ TEST(RelationsFile, IsReadWithCommentsAndEmptyLines) {
   EXPECT_EQ(relations[0].from_time, 976052905.167303);
   EXPECT_EQ(relations[0].to_time, 976052911.885496);
   EXPECT_EQ(relations[0].from_to, (Pose2{-1, 2, -0.5}));
+}
+
+TEST(RelationsFile, HeadingsAreWithinAHalfTurn) {
+  const std::vector<Relation> relations = parse_relations("r", "0 1 2 3 0 0 0 4\n");
+  EXPECT_NEAR(relations.at(0).from_to.theta, 4.0 - 2 * kPi, kRounding);
 }
 
 TEST(RelationsFile, NamesTheLineThatIsWrong) {

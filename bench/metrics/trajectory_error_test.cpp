@@ -109,6 +109,33 @@ TEST(RelativeError, ByMetresIsMeasuredAlongTheEstimate) {
   EXPECT_EQ(relative_error(pairs, all).translation.count, 0);
 }
 
+TEST(AbsoluteError, OfTheHeadingCountsTheSameToBothSides) {
+  const std::vector<PosePair> pairs{{0, {0, 0, 0}, {0, 0, 0.2}},
+                                    {1, {1, 0, 0}, {1, 0, -0.4}},
+                                    {2, {2, 0, 3.1}, {2, 0, -3.1}}};  // across the wrap
+  const PoseErrors errors = absolute_error(pairs, {});
+  EXPECT_NEAR(errors.rotation.mean, (0.2 + 0.4 + 2 * kPi - 6.2) / 3, kRounding);
+  EXPECT_NEAR(errors.rotation.min, 2 * kPi - 6.2, kRounding);
+}
+
+TEST(RelativeError, ByMetresBeginsAtEveryPoseUpToTheLastButOne) {
+  const std::vector<PosePair> pairs = associated(straight(4), straight(4));
+  const RelativeErrorOptions options{.delta = 1.0, .unit = PathUnit::meters, .all_pairs = true};
+  EXPECT_EQ(relative_error(pairs, options).translation.count, 3);
+}
+
+// The robot turned where it stood: the motion of a metre ends where it arrived.
+TEST(RelativeError, ByMetresEndsAtTheFirstPoseOfAPlace) {
+  const Trajectory truth{{0, {0, 0, 0}}, {1, {0.9, 0, 0}}, {2, {0.9, 0, 0}}, {3, {2.5, 0, 0}}};
+  Trajectory estimate = truth;
+  estimate[2].pose.theta = 0.5;
+  const RelativeErrorOptions options{
+      .delta = 1.0, .unit = PathUnit::meters, .all_pairs = true, .tolerance = 0.2};
+  const PoseErrors errors = relative_error(associated(truth, estimate), options);
+  EXPECT_EQ(errors.rotation.count, 1);
+  EXPECT_NEAR(errors.rotation.max, 0.0, kRounding);
+}
+
 TEST(ErrorOverPath, ComparesMotionsOfThatLength) {
   // Every metre the estimate turns 1 degree too far and stays on its line otherwise.
   Trajectory estimate = straight(21);

@@ -68,6 +68,15 @@ INSTANTIATE_TEST_SUITE_P(Wheels, EveryDrive,
                          ::testing::Values(DriveKind::synchro, DriveKind::differential,
                                            DriveKind::skid_steer));
 
+// A fifth of a radian along a circle of 1 m: the chord is 3e-4 m shorter than the arc.
+TEST(Wheels, OdometryFollowsTheArcWithinAStep) {
+  Wheels wheels(robot_with(DriveKind::differential), Rng(1));
+  wheels.drive({.forward_velocity = 0.4, .turn_velocity = 0.4}, 100.0);  // up to speed
+  wheels.push({}, {}, 0.5);
+  const Pose2 arc{std::sin(0.2), 1.0 - std::cos(0.2), 0.2};
+  EXPECT_THAT(wheels.odometry(), IsNear(arc, Tolerance{4e-4, 1e-9}));
+}
+
 TEST(Wheels, OneSmallerWheelBendsTheWayButNotTheOdometry) {
   Robot robot = robot_with(DriveKind::differential);
   robot.drive.wheel_spread = 0.05;
