@@ -84,6 +84,7 @@ void check_finite(const EvaluateArguments& arguments) {
 }
 
 int evaluate(const EvaluateArguments& arguments) {
+  if (!arguments.json.empty()) check_writable(arguments.json);
   const Trajectory estimate = load_trajectory(arguments.estimate);
   Evaluation evaluation;
   if (!arguments.relations.empty()) {

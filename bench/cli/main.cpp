@@ -1,23 +1,45 @@
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <new>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <malloc.h>
 
 #include "bench/cli/commands.h"
 #include "bench/cli/program.h"
+#include "bench/process/standard_streams.h"
 #include "core/input_error.h"
+
+namespace {
+
+int run_and_flush(int argc, char** argv) {
+  try {
+    const int status = mapbed::run_program(argc, argv);
+    mapbed::check_standard_output();
+    return status;
+  } catch (const std::system_error&) {
+    mapbed::check_standard_output();  // where printing has failed before the end, this says so
+    throw;
+  }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   // Tiles of maps and scratch fields go back to the system when freed. Left to itself, glibc raises
   // this limit with the first large block and keeps a quarter of the peak in holes between them.
   mallopt(M_MMAP_THRESHOLD, 32 * 1024);
+  mapbed::reserve_standard_streams();
   try {
-    return mapbed::run_program(argc, argv);
+    return run_and_flush(argc, argv);
   } catch (const mapbed::InputError& error) {
     fmt::print(stderr, "mapbed: {}\n", error.what());
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "mapbed: out of memory\n");
+  } catch (const std::filesystem::filesystem_error& error) {
+    fmt::print(stderr, "mapbed: {}: {}\n", error.path1().string(), error.code().message());
   } catch (const std::exception& error) {
     fmt::print(stderr, "mapbed: {}\n", error.what());
   }

@@ -5,7 +5,6 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
@@ -81,11 +80,25 @@ ChosenLog chosen_log(const std::string& log) {
   return {file.path, found.options, file.sha256};
 }
 
-// "intel.clf.gz" -> "intel"
+// "intel.clf.gz" -> "intel", "run.1.log" -> "run.1"
 std::string name_of_log(const std::string& path) {
-  const std::string file = fs::path(path).filename().string();
-  const std::string name = file.substr(0, file.find('.', 1));
+  fs::path file = fs::path(path).filename();
+  if (file.extension() == ".gz") file = file.stem();
+  const std::string name = file.stem().string();
   return name.empty() ? "log" : name;
+}
+
+// The one asked for, or else one that is called as the log; then it may hold no other log's map.
+std::string folder_for(const MapArguments& arguments) {
+  if (!arguments.folder.empty()) return arguments.folder;
+  const std::string folder = name_of_log(arguments.log) + "_map";
+  const std::string other = log_of_map(folder);
+  std::error_code error;
+  if (other.empty() || other == arguments.log || fs::equivalent(other, arguments.log, error)) {
+    return folder;
+  }
+  throw InputError({folder}, "holds the map of another log, " + in_quotes(other),
+                   "name a folder with --out");
 }
 
 void print_log(const std::string& path, const RecordedLog& log, double seconds) {
@@ -124,19 +137,19 @@ void print_result(const MapRun& run, const std::string& folder, double total) {
 }
 
 int map_log(const MapArguments& arguments) {
-  const InterruptGuard interrupt;
   const ThreadLimit threads(arguments.threads);
   const Stopwatch stopwatch;
   const Settings settings = settings_from(arguments);
   map_config_from(settings);  // wrong options are told before a log is looked for
   const ChosenLog chosen = chosen_log(arguments.log);
   const MapConfig config = map_config_from(settings, {.log = chosen.options});
-  const std::string folder =
-      arguments.folder.empty() ? name_of_log(arguments.log) + "_map" : arguments.folder;
+  const std::string folder = folder_for(arguments);
+  { const OutputFolder probe(folder); }  // refused before the log is read
   const RecordedLog log = load_log(chosen.path, config.log);
   print_log(arguments.log, log, stopwatch.seconds());
-  make_output_folder(folder);
+  const OutputFolder made(folder);
 
+  const InterruptGuard interrupt;  // not before: there is nothing to keep while a log is read
   MapRun run = [&] {
     Progress progress(config.method, log.measurements.size());
     return make_map(log, config, [&](std::size_t done, std::size_t) {

@@ -107,6 +107,25 @@ TEST_F(MapCommand, GivesTheSameBytesForAnyNumberOfThreads) {
   expect_refusal({"map", "room.log", "-j", "0"}, "--threads");
 }
 
+TEST_F(MapCommand, LogsWhoseNamesAreAlikeHaveAFolderEach) {
+  fs::copy(path("room.log"), path("room.2.log"));
+  ASSERT_EQ(call({"map", "room.log", "--method", "odometry"}).status, 0);
+  ASSERT_EQ(call({"map", "room.2.log", "--method", "odometry"}).status, 0);
+  EXPECT_TRUE(fs::exists(path("room.2_map/summary.json")));
+  ASSERT_EQ(call({"map", "./room.log", "--method", "odometry"}).status, 0) << "the same log again";
+  fs::create_directory(path("b"));
+  fs::copy(path("room.log"), path("b/room.log"));
+  expect_refusal({"map", "b/room.log", "--method", "odometry"},
+                 "room_map: holds the map of another log, './room.log'; name a folder with --out");
+}
+
+TEST_F(MapCommand, RefusesAFolderThatCannotBeWrittenBeforeItReadsTheLog) {
+  expect_refusal({"map", "room.log", "--out", "room.log"}, "room.log: ");
+  expect_refusal({"map", "absent.log", "--out", "/proc/maps"}, "/proc/maps: cannot be made");
+  expect_refusal({"map", "absent.log", "--out", "new/folder"}, "absent.log: no such file");
+  EXPECT_FALSE(fs::exists(path("new"))) << "made for nothing";
+}
+
 TEST_F(MapCommand, SaysWhatIsWrongWithTheLog) {
   write("empty.log", "");
   write("words.log", "once upon a time\n");

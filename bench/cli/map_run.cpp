@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "bench/process/stopwatch.h"
 #include "bench/process/version.h"
 #include "core/file/atomic_file.h"
+#include "core/file/utf8.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
 #include "core/input_error.h"
@@ -52,7 +54,7 @@ std::string cost_csv(const MapCost& cost) {
 std::string summary_json(const std::string& log_name, const RecordedLog& log, const MapRun& run) {
   const CellBox box = known_box(run.map);
   nlohmann::ordered_json json{
-      {"log", log_name},
+      {"log", escaped_utf8(log_name)},
       {"format", log.format},
       {"method", run.config.method},
       {"log_sha256", run.log_sha256},
@@ -137,6 +139,13 @@ void write_map_run(const std::string& folder, const std::string& log_name, const
   write_file(in_folder("config.yaml"), to_yaml(run.config));
   write_file(in_folder("cost.csv"), cost_csv(run.cost));
   write_file(in_folder("summary.json"), summary_json(log_name, log, run));
+}
+
+std::string log_of_map(const std::string& folder) {
+  std::ifstream file(std::filesystem::path(folder) / "summary.json");
+  const auto json = nlohmann::json::parse(file, nullptr, false);
+  const bool has_log = json.is_object() && json.contains("log") && json["log"].is_string();
+  return has_log ? json["log"].get<std::string>() : "";
 }
 
 }  // namespace mapbed

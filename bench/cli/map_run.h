@@ -48,4 +48,7 @@ MapRun make_map(const RecordedLog& log, const MapConfig& config,
 void write_map_run(const std::string& folder, const std::string& log_name, const RecordedLog& log,
                    const MapRun& run);
 
+// The `log_name` of the map that a folder holds; empty where it holds none.
+std::string log_of_map(const std::string& folder);
+
 }  // namespace mapbed

@@ -13,6 +13,7 @@
 #include "bench/plot/map_picture.h"
 #include "bench/plot/world_picture.h"
 #include "core/config/quantity.h"
+#include "core/file/atomic_file.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
 #include "core/input_error.h"
@@ -57,6 +58,7 @@ int render_world(const RenderArguments& arguments) {
 }
 
 int render(const RenderArguments& arguments) {
+  check_writable(arguments.output);
   if (is_world(arguments.map)) return render_world(arguments);
   std::optional<double> resolution;
   if (!arguments.resolution.empty()) {

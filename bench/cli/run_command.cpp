@@ -14,7 +14,6 @@
 #include "bench/cli/progress.h"
 #include "bench/pages/overview_page.h"
 #include "bench/process/thread_limit.h"
-#include "bench/results/figures.h"
 #include "bench/results/result_tables.h"
 #include "bench/scenario/identity.h"
 #include "bench/scenario/run_scenario.h"
@@ -107,7 +106,6 @@ int print_one_run(const ScenarioPlan& plan, int number) {
 }
 
 int run(const RunArguments& arguments) {
-  const InterruptGuard interrupt;
   ScenarioChoice choice{.quick = arguments.quick, .seed = arguments.seed};
   for (const std::string& text : arguments.settings) {
     choice.settings.push_back(parse_setting(text));
@@ -119,9 +117,11 @@ int run(const RunArguments& arguments) {
                              .restart = arguments.restart,
                              .command = command_of(arguments)};
   options.threads = arguments.threads > 0 ? arguments.threads : processors();
-  make_output_folder(options.folder);
+  const OutputFolder folder(options.folder);
+  refuse_foreign_page(options.folder);
   tell_changed_files(options.folder, plan);
   const ScenarioRun result = [&] {
+    const InterruptGuard interrupt;
     Progress progress(plan.scenario.id, plan.runs_to_do().size());
     return run_scenario(plan, options, [&](std::size_t done, std::size_t) {
       progress.advance_to(done);
@@ -133,7 +133,6 @@ int run(const RunArguments& arguments) {
                result.results.runs.size(), plan.runs_to_do().size());
     return kInterrupted;
   }
-  write_figures(options.folder, result.results);
   write_reports(options.folder);
   print_result(result, options.folder);
   return arguments.strict && !all_held(result.results) ? kClaimsNotHeld : kDone;

@@ -111,6 +111,91 @@ TEST_F(RunCommand, DoesNothingTwice) {
   EXPECT_EQ(read_text_file(path("r/provenance.json")), before);
 }
 
+TEST_F(RunCommand, AFinishedTableThatWasChangedIsNotTakenForComplete) {
+  const std::vector<std::string> arguments{"--set", "seeds=1", "-j", "1", "--out", "r"};
+  ASSERT_EQ(run(arguments).status, 0);
+  const std::string runs = text("r/runs.csv");
+  const std::string provenance = text("r/provenance.json");
+  const auto refuse = [&](const std::string& changed, const std::string& message) {
+    write("r/runs.csv", changed);
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_EQ(text("r/runs.csv"), changed) << "nothing is done unasked";
+  };
+  const std::size_t head = runs.find('\n') + 1;
+  const std::string first = runs.substr(head, runs.find('\n', head) + 1 - head);
+  const std::string lost = runs.substr(0, head) + runs.substr(head + first.size());
+  refuse(lost, "r/runs.csv: is not the table that was written");
+  refuse(runs + first, "r/runs.csv: is not the table that was written");
+  // Of a program that wrote no checksums.
+  write("r/provenance.json",
+        std::string(provenance).replace(provenance.find("tables_"), 6, "others"));
+  refuse(lost, "r/runs.csv: has not each of the 4 runs once");
+  refuse(runs + first, "r/runs.csv: has not each of the 4 runs once");
+  write("r/runs.csv", runs);
+  EXPECT_EQ(run(arguments).status, 0);
+}
+
+TEST_F(RunCommand, AFinishedConfigurationLeavesTheUnfinishedRunsOfAnother) {
+  const auto run_seeds = [&](const char* seeds, const char* more = "") {
+    return run_shell(
+        fmt::format("$MAPBED run ./drives.yaml --set seeds={} -j 1 --out r {}", seeds, more),
+        path());
+  };
+  ASSERT_EQ(run_seeds("1").status, 0);
+  EXPECT_EQ(run_seeds("5",
+                      "& p=$!; until [ $(wc -l < r/runs/journal || echo 0) -gt 3 ]; do :; done; "
+                      "kill -KILL $p; wait $p")
+                .status,
+            128 + 9);
+  EXPECT_THAT(run_seeds("1").out, HasSubstr("4 were done before"));
+  EXPECT_TRUE(fs::exists(path("r/runs/journal")));
+  const Outcome outcome = run_seeds("5");
+  EXPECT_THAT(outcome.out, HasSubstr("20 runs"));
+  EXPECT_THAT(outcome.out, ::testing::Not(HasSubstr("; 0 were done before")));
+  EXPECT_FALSE(fs::exists(path("r/runs")));
+}
+
+TEST_F(RunCommand, WritesOverNothingOfSomebodyElse) {
+  fs::create_directory(path("r"));
+  const std::vector<std::string> arguments{"--set", "seeds=1", "--out", "r"};
+  for (const char* name : {"report.html", "config.yaml", "summary.csv"}) {
+    write(std::string("r/") + name, "of my own");
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr(std::string("r/") + name));
+    EXPECT_EQ(text(std::string("r/") + name), "of my own");
+    fs::remove(path(std::string("r/") + name));
+  }
+  EXPECT_TRUE(fs::is_empty(path("r")));
+}
+
+TEST_F(RunCommand, NamesThatAreNoTextLoseNothing) {
+  const Outcome refused = run_shell(
+      "cp drives.yaml \"$(printf 'b\\344r.yaml')\"; "
+      "$MAPBED run \"./$(printf 'b\\344r.yaml')\" --out r",
+      path());
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("is not UTF-8; rename the file"));
+  const Outcome outcome = run_shell(
+      "mkdir \"$(printf 'b\\344r')\"; cp drives.yaml \"$(printf 'b\\344r')\"; "
+      "$MAPBED run \"$(printf 'b\\344r')/drives.yaml\" --set seeds=1 --out r",
+      path());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(text("r/provenance.json"), HasSubstr("b\\\\xE4r/drives.yaml"));
+}
+
+TEST_F(RunCommand, TwoThingsOfOneFileNameAreToldApartOrRefused) {
+  write("same.yaml",
+        "base: drives.yaml\nseeds: 1\nsweep: {}\nclaims: []\n"
+        "compare: {\u00e4: {estimator: odometry}, \u00f6: {estimator: scan_matching}}\n");
+  ASSERT_EQ(call({"run", "./same.yaml", "--out", "r"}).status, 0);
+  EXPECT_NE(text("r/maps/map_variant_0.png"), text("r/maps/map_variant_1.png"));
+  write("plots.yaml", "base: drives.yaml\nplots: [{y: failures}, {file: failures, y: map_f1}]\n");
+  expect_refusal({"run", "./plots.yaml"}, "two plots have the name 'failures'");
+}
+
 TEST_F(RunCommand, OtherPlotsAndClaimsNeedNoOtherRuns) {
   write("other.yaml", "base: drives.yaml\nabout: in other words\nplots: [{y: largest_error}]\n");
   const auto run_into_r = [&](const std::string& scenario) {

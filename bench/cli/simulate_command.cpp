@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "bench/sources/files_record.h"
 #include "bench/sources/log_source.h"
 #include "core/data_path.h"
+#include "core/file/atomic_file.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -68,6 +70,7 @@ SimulationToRun simulation_of(const SimulateArguments& a) {
 }
 
 int simulate(const SimulateArguments& arguments) {
+  check_writable(arguments.log);
   const SimulationToRun to_run = simulation_of(arguments);
   const Stopwatch stopwatch;
   const SimulationResult result = run_simulation(to_run.simulation, to_run.seed);
@@ -77,15 +80,18 @@ int simulate(const SimulateArguments& arguments) {
   const auto& scans = result.recording.truth.beams;
   const Trajectory truth = trajectory_of(result.recording.truth);
   const double recorded = scans.empty() ? 0.0 : scans.back().time - scans.front().time;
-  fmt::print(
-      "{} in {}: {} scans, {:.1f} s, {:.1f} m of path; simulated in {:.2f} s, {:.0f} times "
-      "real time\n",
-      result.simulation.robot.name, result.simulation.world->name, scans.size(), recorded,
-      path_length(truth), seconds, seconds > 0.0 ? recorded / seconds : 0.0);
+  // Where the log goes to a pipe or to standard output, these words do not.
+  const bool is_alone = is_special_file(arguments.log);
+  std::FILE* const words = is_alone ? stderr : stdout;
+  fmt::print(words,
+             "{} in {}: {} scans, {:.1f} s, {:.1f} m of path; simulated in {:.2f} s, {:.0f} times "
+             "real time\n",
+             result.simulation.robot.name, result.simulation.world->name, scans.size(), recorded,
+             path_length(truth), seconds, seconds > 0.0 ? recorded / seconds : 0.0);
   if (!result.recording.is_complete) {
     fmt::print(stderr, "remark: the robot did not get to the end of its path in time\n");
   }
-  fmt::print("written to {} and files beside it\n", arguments.log);
+  fmt::print(words, "written to {}{}\n", arguments.log, is_alone ? "" : " and files beside it");
   return kDone;
 }
 

@@ -61,6 +61,31 @@ TEST_F(SimulateCommand, TheSameSeedGivesTheSameBytes) {
   EXPECT_NE(text("a.log"), text("c.log"));
 }
 
+TEST_F(SimulateCommand, RefusesALogThatCannotBeWrittenBeforeItSimulates) {
+  // Nothing else is looked at before.
+  expect_refusal({"simulate", "--world", "nowhere", "--robot", "pioneer", "-o", "no/a.log"},
+                 "no/a.log: cannot be written: No such file or directory");
+  expect_refusal({"simulate", "--world", "nowhere", "--robot", "pioneer", "-o", "."},
+                 "is a folder");
+}
+
+TEST_F(SimulateCommand, IntoAPipeGoesTheLogAlone) {
+  ASSERT_EQ(call(short_drive("a.log")).status, 0);
+  const Outcome outcome = run_shell(
+      "$MAPBED simulate --world office --robot pioneer --people 3 --set recorder.longest='10 s' "
+      "-o /dev/stdout | cat",
+      path());
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, text("a.log"));
+  EXPECT_THAT(outcome.err, HasSubstr("written to /dev/stdout\n"));
+  EXPECT_FALSE(fs::exists("/dev/stdout.tum"));
+  const Outcome redirected = run_shell(
+      "$MAPBED simulate --world office --robot pioneer --people 3 --set recorder.longest='10 s' "
+      "-o /dev/stdout >>kept.log 2>words; cat kept.log",
+      path());
+  EXPECT_EQ(redirected.out, text("a.log"));
+}
+
 TEST_F(SimulateCommand, TakesAScenario) {
   write("drive.yaml",
         "world: office\nrobot: b21r\npath: ring\npeople: 0\n"

@@ -1,6 +1,7 @@
 #include "bench/pages/html.h"
 
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -9,11 +10,19 @@
 #include "bench/plot/svg_text.h"
 #include "core/check.h"
 #include "core/file/csv_file.h"
+#include "core/file/file_reader.h"
 
 namespace mapbed {
+namespace {
+
+constexpr std::string_view kMark = "<meta name=\"generator\" content=\"mapbed\">\n";
+constexpr std::string_view kMarkOfOlderPages = "<header>\n<p class=\"kind\">";
+
+}  // namespace
 
 std::string html_of(const HtmlPage& page) {
   std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+  text += kMark;
   text += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   text += "<link rel=\"icon\" href=\"data:,\">\n";  // else a browser looks for one
   text += "<title>" + xml_escaped(page.title) + "</title>\n<style>\n";
@@ -22,6 +31,13 @@ std::string html_of(const HtmlPage& page) {
   text += page_script();
   if (page.with_replay) text += replay_script();
   return text + "</script>\n</body>\n</html>\n";
+}
+
+bool is_page_of_ours(const std::string& path) {
+  FileReader file(path);
+  const std::string_view begin = file.next();
+  return begin.find(kMark) != std::string_view::npos ||
+         begin.find(kMarkOfOlderPages) != std::string_view::npos;
 }
 
 HtmlCell text_cell(const std::string& text) {

@@ -13,6 +13,9 @@ struct HtmlPage {
 };
 std::string html_of(const HtmlPage& page);
 
+// Whether html_of has made what stands in that file, now or in an earlier version.
+bool is_page_of_ours(const std::string& path);
+
 // A cell: HTML to be seen, and the value to sort by where that differs from the text.
 struct HtmlCell {
   std::string html;

@@ -11,6 +11,7 @@
 #include "bench/plot/svg_text.h"
 #include "bench/results/result_folder.h"
 #include "core/file/atomic_file.h"
+#include "core/file/file_reader.h"
 #include "core/file/text_file.h"
 #include "core/input_error.h"
 
@@ -103,6 +104,22 @@ std::string short_markdown(const ReportedResults& result) {
   return text;
 }
 
+constexpr std::string_view kMarkdownMark = "\n\nWritten by `mapbed report`.";
+
+bool is_markdown_of_ours(const std::string& path) {
+  FileReader file(path);
+  return file.next().find(kMarkdownMark) != std::string_view::npos;
+}
+
+// What somebody else has written is not written over.
+void refuse_foreign(const std::string& folder, const char* name,
+                    bool (*is_ours)(const std::string& path)) {
+  const std::string path = (fs::path(folder) / name).string();
+  if (!fs::exists(path) || is_ours(path)) return;
+  throw InputError({path}, "was not written by mapbed, and a page would take its place",
+                   "move it away, or name another folder");
+}
+
 }  // namespace
 
 std::string overview_page(const std::vector<ReportedResults>& all) {
@@ -126,8 +143,9 @@ std::string overview_page(const std::vector<ReportedResults>& all) {
 
 std::string overview_markdown(const std::vector<ReportedResults>& all) {
   std::string text =
-      "# Results\n\nWritten by `mapbed report`. Each folder holds the complete configuration, the "
-      "tables, the figures and what they were made with.\n\n"
+      "# Results" + std::string(kMarkdownMark) +
+      " Each folder holds the complete configuration, the tables, the figures and what they were "
+      "made with.\n\n"
       "| scenario | question | thesis | claims held | runs failed |\n"
       "| --- | --- | --- | --- | --- |\n";
   for (const ReportedResults& result : all) {
@@ -140,7 +158,19 @@ std::string overview_markdown(const std::vector<ReportedResults>& all) {
   return text;
 }
 
+void refuse_foreign_page(const std::string& folder) {
+  refuse_foreign(folder, "report.html", is_page_of_ours);
+}
+
+void refuse_foreign_pages(const std::string& folder) {
+  for (const std::string& path : result_folders(folder)) refuse_foreign_page(path);
+  if (is_result_folder(folder)) return;
+  refuse_foreign_page(folder);
+  refuse_foreign(folder, "README.md", is_markdown_of_ours);
+}
+
 std::vector<std::string> write_reports(const std::string& folder) {
+  refuse_foreign_pages(folder);
   std::vector<std::string> written;
   const auto write = [&](const std::string& path, const std::string& text) {
     write_file(path, text);

@@ -113,6 +113,22 @@ TEST_F(ReportPage, OfAllResultsLinksThePageOfEach) {
   EXPECT_THAT(markdown, HasSubstr("![Error over noise](example/figures/error.svg)"));
 }
 
+TEST_F(ReportPage, OfSomebodyElseIsNotWrittenOver) {
+  write_text_file(folder_.file("README.md"), "# Of my own\n");
+  EXPECT_INPUT_ERROR(write_reports(folder_.file("")), "README.md: was not written by mapbed");
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("report.html"))) << "nor is any other";
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("example/report.html")));
+  std::filesystem::remove(folder_.file("README.md"));
+  write_reports(folder_.file(""));
+  EXPECT_NO_THROW(write_reports(folder_.file(""))) << "its own are";
+  for (const char* page : {"report.html", "example/report.html"}) {
+    const std::string ours = read_text_file(folder_.file(page));
+    write_text_file(folder_.file(page), "<html><body>Of my own</body></html>\n");
+    EXPECT_INPUT_ERROR(write_reports(folder_.file("")), "report.html: was not written by mapbed");
+    write_text_file(folder_.file(page), ours);
+  }
+}
+
 TEST_F(ReportPage, TheSameResultsAreTheSamePage) {
   EXPECT_EQ(page(), page());
 }

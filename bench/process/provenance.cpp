@@ -9,6 +9,7 @@
 
 #include "bench/process/version.h"
 #include "core/file/hash.h"
+#include "core/file/utf8.h"
 
 namespace mapbed {
 namespace {
@@ -59,6 +60,10 @@ std::string to_json(const Provenance& p) {
   for (const LibraryVersion& library : version().libraries) {
     libraries[library.name] = library.version;
   }
+  Json command = Json::array();
+  for (const std::string& word : p.command) command.push_back(escaped_utf8(word));
+  Json tables = Json::object();
+  for (const auto& [name, checksum] : p.tables_sha256) tables[name] = checksum;
   const Json json{{"program",
                    {{"version", version().program},
                     {"revision", version().revision},
@@ -67,7 +72,7 @@ std::string to_json(const Provenance& p) {
                     {"sha256", p.program_sha256},
                     {"libraries", libraries}}},
                   {"machine", machine()},
-                  {"command", p.command},
+                  {"command", command},
                   {"seed", p.seed},
                   {"runs_sha256", p.runs_sha256},
                   {"runs", p.runs},
@@ -77,6 +82,7 @@ std::string to_json(const Provenance& p) {
                   {"threads", p.threads},
                   {"wall_seconds", p.wall_seconds},
                   {"processor_seconds", p.processor_seconds},
+                  {"tables_sha256", tables},
                   {"finished", now_utc()}};
   return json.dump(2) + "\n";
 }

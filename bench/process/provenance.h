@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mapbed {
@@ -17,10 +18,12 @@ struct Provenance {
   int recordings_needed = 0;  // by all runs
   int recordings_made = 0;    // by the last start
   int threads = 0;
-  double wall_seconds = 0.0;       // of the last start
-  double processor_seconds = 0.0;  // of all runs and recordings
+  double wall_seconds = 0.0;                                       // of the last start
+  double processor_seconds = 0.0;                                  // of all runs and recordings
+  std::vector<std::pair<std::string, std::string>> tables_sha256;  // name and checksum
 };
 
+// Text in UTF-8, whatever the command is.
 std::string to_json(const Provenance& provenance);
 
 std::string sha256_of_program();  // of the file that is running

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include "bench/results/figure_parts.h"
+#include "bench/results/result_folder.h"
 #include "bench/results/series_figure.h"
 #include "core/check.h"
 #include "core/config/quantity.h"
-#include "core/file/atomic_file.h"
 
 namespace mapbed {
 namespace {
@@ -167,22 +166,25 @@ HeatMap heat_map_of(const Results& results, const PlotSpec& spec) {
   return map;
 }
 
-void write_figures(const std::string& folder, const Results& results) {
-  if (results.plots.empty()) return;
-  const std::filesystem::path figures = std::filesystem::path(folder) / "figures";
-  std::filesystem::create_directories(figures);
-  const auto write = [&](const PlotSpec& spec, const auto& picture) {
-    write_file((figures / (spec.file + ".svg")).string(), svg_of(picture));
-    write_file((figures / (spec.file + ".csv")).string(), csv_of(picture));
+std::vector<ResultFile> figure_files(const Results& results) {
+  std::vector<ResultFile> files;
+  const auto add = [&](const PlotSpec& spec, const auto& picture) {
+    files.push_back({"figures/" + spec.file + ".svg", svg_of(picture)});
+    files.push_back({"figures/" + spec.file + ".csv", csv_of(picture)});
   };
   for (const PlotSpec& spec : results.plots) {
     if (spec.kind != PlotKind::heat_map) {
-      write(spec, figure_of(results, spec));
+      add(spec, figure_of(results, spec));
       continue;
     }
     const HeatMap map = heat_map_of(results, spec);
-    if (map.xs.size() > 1 && map.ys.size() > 1) write(spec, map);
+    if (map.xs.size() > 1 && map.ys.size() > 1) add(spec, map);
   }
+  return files;
+}
+
+void write_figures(const std::string& folder, const Results& results) {
+  write_files(folder, figure_files(results));
 }
 
 }  // namespace mapbed

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "bench/plot/heat_map.h"
 #include "bench/plot/plot.h"
+#include "bench/results/result_file.h"
 #include "bench/results/results.h"
 
 namespace mapbed {
@@ -16,8 +18,11 @@ Plot figure_of(const Results& results, const PlotSpec& spec);
 // The same of a plot of that kind: means as colours.
 HeatMap heat_map_of(const Results& results, const PlotSpec& spec);
 
-// Writes each of Results::plots as <folder>/figures/<file>.svg with its numbers as <file>.csv; no
-// heat map of a reduced run that has fewer than two levels along one side.
+// Each of Results::plots as figures/<file>.svg with its numbers as <file>.csv; no heat map of a
+// reduced run that has fewer than two levels along one side.
+std::vector<ResultFile> figure_files(const Results& results);
+
+// Writes them below the folder of a result.
 void write_figures(const std::string& folder, const Results& results);
 
 }  // namespace mapbed

@@ -36,6 +36,15 @@ void check_name(const PlotSpec& plot, const std::string& name, const Names& know
                    suggestion(name, known));
 }
 
+// Two of one name would be one file.
+void check_file(const PlotSpec& plot, const Results& plan) {
+  const auto same = std::count_if(plan.plots.begin(), plan.plots.end(),
+                                  [&](const PlotSpec& p) { return p.file == plot.file; });
+  if (same < 2) return;
+  throw InputError(plot.place, "two plots have the name " + in_quotes(plot.file),
+                   "give one of them another name, as in 'file: " + plot.file + "_2'");
+}
+
 // A quick run may lack some of the values.
 void check_levels(const PlotSpec& plot, const Results& plan) {
   for (const auto& [path, values] : plot.at) {
@@ -109,7 +118,7 @@ void read_data(const ConfigNode& node, PlotSpec& plot) {
   plot.file = is_heat_map ? plot.value : plot.y;
   read(node, "file", plot.file);
   read(node, "lines_by", plot.lines_by);
-  if (plot.file.find_first_of("/\\ ") != std::string::npos) {
+  if (plot.file.empty() || plot.file.find_first_of("/\\ ") != std::string::npos) {
     throw InputError(node.place(), in_quotes(plot.file) + " is not a name for a picture",
                      "use letters, digits and '_'");
   }
@@ -176,6 +185,7 @@ std::string plot_text(const PlotSpec& plot) {
 }
 
 void check_plot(const PlotSpec& plot, const Results& plan) {
+  check_file(plot, plan);
   for (const std::string& variant : plot.variants) {
     check_name(plot, variant, plan.variants, "not compared here");
   }

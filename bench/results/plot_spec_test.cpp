@@ -53,6 +53,17 @@ TEST(PlotSpec, NamesOnlyWhatTheScenarioHas) {
   EXPECT_INPUT_ERROR(read("{y: distance, file: a/b}"), "is not a name for a picture");
 }
 
+TEST(PlotSpec, HasAFileOfItsOwn) {
+  Results plan = cells();
+  plan.plots = {read("{y: distance}"), read("{x: hits, y: distance}")};
+  EXPECT_INPUT_ERROR(check_plot(plan.plots[0], plan),
+                     "x.yaml:7: two plots have the name 'distance'; give one of them another name, "
+                     "as in 'file: distance_2'");
+  plan.plots[1].file = "distance_2";
+  EXPECT_NO_THROW(check_plot(plan.plots[0], plan));
+  EXPECT_INPUT_ERROR(read("{y: distance, file: ''}"), "is not a name for a picture");
+}
+
 TEST(PlotSpec, OfAHeatMapHasTwoAxesOfNumbersAndOneVariant) {
   const auto check = [](const std::string& yaml, const Results& plan) {
     check_plot(read(yaml), plan);

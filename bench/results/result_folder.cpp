@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
 
 #include "bench/results/plan_yaml.h"
 #include "bench/results/result_tables.h"
 #include "bench/results/run_files.h"
 #include "core/file/atomic_file.h"
+#include "core/file/hash.h"
 #include "core/file/text_file.h"
 #include "core/input_error.h"
 
@@ -33,6 +37,28 @@ std::vector<std::string> pictures_in(const fs::path& folder) {
   return paths;
 }
 
+std::vector<FileOfRun> found_files(const fs::path& folder, const Results& results) {
+  std::vector<std::string> paths = pictures_in(folder);
+  std::erase_if(paths, [&](const std::string& path) { return is_plot(results, path); });
+  return files_by_name(paths, results);
+}
+
+// A table that somebody has edited or cut short gives no figures and no verdicts.
+void check_tables(const fs::path& folder, const std::string& provenance_json) {
+  const auto json = nlohmann::json::parse(provenance_json, nullptr, false);
+  if (!json.is_object() || !json.contains("tables_sha256")) return;  // of an older program
+  const auto& checksums = json["tables_sha256"];
+  for (const ResultFile& table : tables_of_runs(Results{})) {
+    if (!checksums.is_object() || !checksums.contains(table.path)) continue;
+    const std::string path = (folder / table.path).string();
+    if (checksums[table.path] == sha256(text_of(path))) continue;
+    throw InputError({path}, "is not the table that was written: rows were changed, lost or added",
+                     "put it back, or make all runs again with 'mapbed run --restart'");
+  }
+}
+
+}  // namespace
+
 bool is_plot(const Results& results, const std::string& path) {
   return std::any_of(results.plots.begin(), results.plots.end(), [&](const PlotSpec& plot) {
     const std::string base = "figures/" + plot.file;
@@ -40,40 +66,28 @@ bool is_plot(const Results& results, const std::string& path) {
   });
 }
 
-std::vector<FileOfRun> found_files(const fs::path& folder, const Results& results) {
-  std::vector<std::string> paths = pictures_in(folder);
-  std::erase_if(paths, [&](const std::string& path) { return is_plot(results, path); });
-  return files_by_name(paths, results);
+bool is_as_written(const std::string& folder, const ResultFile& file) {
+  const fs::path path = fs::path(folder) / file.path;
+  std::error_code error;
+  if (file.content.empty()) return fs::symlink_status(path).type() == fs::file_type::not_found;
+  if (!fs::is_regular_file(path) || fs::file_size(path, error) != file.content.size()) return false;
+  return read_text_file(path.string()) == file.content;
 }
 
-bool lists(const Results& results, const std::string& path) {
-  return is_plot(results, path) ||
-         std::any_of(results.files.begin(), results.files.end(),
-                     [&](const FileOfRun& file) { return file.path == path; });
-}
-
-void remove_stale_pictures(const fs::path& folder, const Results& now) {
-  if (!fs::exists(folder / "config.yaml")) return;
-  std::vector<std::string> paths;
-  try {
-    for (const PlotSpec& plot : load_plan((folder / "config.yaml").string()).plots) {
-      for (const char* kind : {".svg", ".csv"}) paths.push_back("figures/" + plot.file + kind);
+void write_files(const std::string& folder, const std::vector<ResultFile>& files) {
+  for (const ResultFile& file : files) {
+    if (is_as_written(folder, file)) continue;
+    const fs::path path = fs::path(folder) / file.path;
+    std::error_code error;
+    if (file.content.empty()) {
+      fs::remove(path, error);
+    } else {
+      fs::create_directories(path.parent_path(), error);
     }
-    const std::string list = (folder / "files.csv").string();
-    if (fs::exists(list)) {
-      for (const FileOfRun& file : parse_files(list, read_text_file(list))) {
-        paths.push_back(file.path);
-      }
-    }
-  } catch (const InputError&) {
-    return;  // of another program: nothing here is known to be ours
-  }
-  for (const std::string& path : paths) {
-    if (!lists(now, path)) fs::remove(folder / path);
+    if (error) throw InputError({path.string()}, "cannot be written: " + error.message());
+    if (!file.content.empty()) write_file(path.string(), file.content);
   }
 }
-
-}  // namespace
 
 std::vector<ResultFile> files_of(const Results& results) {
   return {{"config.yaml", results.config_yaml},
@@ -87,16 +101,15 @@ std::vector<ResultFile> files_of(const Results& results) {
           {"provenance.json", results.provenance_json}};
 }
 
+std::vector<ResultFile> tables_of_runs(const Results& results) {
+  return {{"runs.csv", runs_csv(results)},
+          {"series.csv", series_csv(results)},
+          {"cost.csv", cost_csv(results)},
+          {"files.csv", files_csv(results)}};
+}
+
 void write_results(const std::string& folder, const Results& results) {
-  remove_stale_pictures(folder, results);
-  for (const ResultFile& file : files_of(results)) {
-    const std::string path = (fs::path(folder) / file.path).string();
-    if (file.content.empty()) {
-      fs::remove(path);
-    } else {
-      write_file(path, file.content);
-    }
-  }
+  write_files(folder, files_of(results));
 }
 
 Results load_results(const std::string& folder) {
@@ -107,6 +120,8 @@ Results load_results(const std::string& folder) {
   }
   const auto path = [&](const char* name) { return (base / name).string(); };
   Results results = load_plan(path("config.yaml"));
+  results.provenance_json = text_of(path("provenance.json"));
+  check_tables(base, results.provenance_json);
   results.config_yaml = read_text_file(path("config.yaml"));
   results.runs = parse_runs(path("runs.csv"), read_text_file(path("runs.csv")), results);
   results.summary =
@@ -125,8 +140,39 @@ Results load_results(const std::string& folder) {
   } else {
     results.files = found_files(base, results);
   }
-  results.provenance_json = text_of(path("provenance.json"));
   return results;
+}
+
+std::vector<std::string> paths_of_result(const std::string& folder) {
+  const fs::path base(folder);
+  if (!is_result_folder(folder)) return {};
+  std::vector<std::string> paths{"report.html"};
+  for (const ResultFile& file : files_of(Results{})) paths.push_back(file.path);
+  try {
+    for (const PlotSpec& plot : load_plan((base / "config.yaml").string()).plots) {
+      for (const char* kind : {".svg", ".csv"}) paths.push_back("figures/" + plot.file + kind);
+    }
+    const std::string list = (base / "files.csv").string();
+    for (const FileOfRun& file : parse_files(list, text_of(list))) paths.push_back(file.path);
+  } catch (const InputError&) {
+    // Of another program: what else is its own is not known.
+  }
+  return paths;
+}
+
+void refuse_foreign_files(const std::string& folder) {
+  const fs::path base(folder);
+  for (const ResultFile& file : files_of(Results{})) {
+    if (!fs::exists(base / file.path)) continue;
+    try {
+      (void)load_plan((base / "config.yaml").string());
+    } catch (const InputError&) {
+      throw InputError({(base / file.path).string()},
+                       "is no result's, and one would take its place",
+                       "choose another folder with --out, or move the file away");
+    }
+    return;
+  }
 }
 
 bool is_result_folder(const std::string& folder) {

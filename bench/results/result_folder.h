@@ -8,18 +8,39 @@
 
 namespace mapbed {
 
+// Whether the folder has the file with this content; one without content is to be missing.
+bool is_as_written(const std::string& folder, const ResultFile& file);
+
+// Writes them below the folder and removes those without content. What is as written is not
+// touched.
+void write_files(const std::string& folder, const std::vector<ResultFile>& files);
+
 // Everything of results/<id>/ but the pictures: config.yaml, the tables of result_tables.h and
 // provenance.json, in the order in which they are written. One that is not there has no content.
 std::vector<ResultFile> files_of(const Results& results);
 
-// Writes them, and takes away those without content and the pictures that an older result of the
-// folder lists and this one does not. The provenance comes last: it says that the result is whole.
+// Those of them that hold what the runs gave, and that nothing can make again. The provenance has
+// their checksums.
+std::vector<ResultFile> tables_of_runs(const Results& results);
+
+// Writes all, and takes away those without content.
 void write_results(const std::string& folder, const Results& results);
 
 // Reads what write_results writes, which gives the same bytes again; and what older programs have
 // written, which have their claims as sentences alone and do not list their pictures. Throws
-// InputError where something is missing or damaged.
+// InputError where something is missing or damaged, or a table is not that of the provenance.
 Results load_results(const std::string& folder);
+
+// All that the result of a folder consists of, below the folder: tables, plots, the listed files of
+// its runs and its page, be they there or not. Empty where the folder holds no result.
+std::vector<std::string> paths_of_result(const std::string& folder);
+
+// Whether that file is one of a scenario's plots.
+bool is_plot(const Results& results, const std::string& path);
+
+// Throws InputError where files are there that have the names of a result's and belong to none: a
+// result would take their place.
+void refuse_foreign_files(const std::string& folder);
 
 bool is_result_folder(const std::string& folder);  // has config.yaml and summary.csv
 

@@ -1,5 +1,6 @@
 #include "bench/results/result_folder.h"
 
+#include <chrono>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -8,7 +9,9 @@
 #include <gmock/gmock.h>
 
 #include "bench/results/plan_yaml.h"
+#include "bench/results/result_tables.h"
 #include "bench/results/summary.h"
+#include "core/file/hash.h"
 #include "core/file/text_file.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
@@ -147,18 +150,53 @@ TEST_F(ResultFolder, GivesBackRowsAndFiles) {
   EXPECT_EQ(read.files[0].title, "map");
 }
 
-TEST_F(ResultFolder, ForgetsThePicturesThatALaterResultDoesNotList) {
+TEST_F(ResultFolder, ConsistsOfTablesPlotsAndListedFiles) {
+  EXPECT_THAT(paths_of_result(folder_.file("")), IsEmpty());
   write("r", rich());
-  for (const char* name : {"figures/error.svg", "figures/own.svg", "maps/map_level_0_raw.png"}) {
-    std::filesystem::create_directories(
-        std::filesystem::path(folder_.file("r/" + std::string(name))).parent_path());
-    write_text_file(folder_.file("r/" + std::string(name)), "x");
+  const std::vector<std::string> paths = paths_of_result(folder_.file("r"));
+  for (const char* path : {"config.yaml", "runs.csv", "provenance.json", "report.html",
+                           "figures/error.svg", "figures/error.csv", "maps/map_level_0_raw.png"}) {
+    EXPECT_THAT(paths, ::testing::Contains(path));
   }
+}
+
+TEST_F(ResultFolder, WhatIsAsWrittenIsNotWrittenAgain) {
+  write("r", rich());
+  const std::string file = folder_.file("r/runs.csv");
+  const auto long_ago = std::filesystem::last_write_time(file) - std::chrono::hours(1);
+  std::filesystem::last_write_time(file, long_ago);
+  write("r", rich());
+  EXPECT_EQ(std::filesystem::last_write_time(file), long_ago);
+}
+
+TEST_F(ResultFolder, OfSomebodyElsesFilesIsRefused) {
+  std::filesystem::create_directories(folder_.file("r"));
+  EXPECT_NO_THROW(refuse_foreign_files(folder_.file("r")));
   write("r", plain());
-  EXPECT_FALSE(std::filesystem::exists(folder_.file("r/figures/error.svg")));
-  EXPECT_FALSE(std::filesystem::exists(folder_.file("r/maps/map_level_0_raw.png")));
-  EXPECT_FALSE(std::filesystem::exists(folder_.file("r/series.csv")));
-  EXPECT_TRUE(std::filesystem::exists(folder_.file("r/figures/own.svg"))) << "nobody listed it";
+  EXPECT_NO_THROW(refuse_foreign_files(folder_.file("r")));
+  write_text_file(folder_.file("r/config.yaml"), "mine: 1\n");
+  EXPECT_INPUT_ERROR(refuse_foreign_files(folder_.file("r")),
+                     "r/config.yaml: is no result's, and one would take its place");
+}
+
+TEST_F(ResultFolder, TablesThatWereChangedSinceAreRefused) {
+  Results results = rich();
+  results.provenance_json = "{\"tables_sha256\": {\"runs.csv\": \"" + sha256(runs_csv(results)) +
+                            "\", \"files.csv\": \"" + sha256(files_csv(results)) + "\"}}\n";
+  write("r", results);
+  EXPECT_NO_THROW(load_results(folder_.file("r")));
+  const std::string runs = read_text_file(folder_.file("r/runs.csv"));
+  std::string better = runs;
+  better.replace(better.find("0.1"), 3, "0.2");
+  for (const std::string& changed : {runs.substr(0, runs.find('\n', runs.find('\n') + 1) + 1),
+                                     runs + runs.substr(runs.find('\n') + 1), better}) {
+    write_text_file(folder_.file("r/runs.csv"), changed);
+    EXPECT_INPUT_ERROR(load_results(folder_.file("r")),
+                       "runs.csv: is not the table that was written");
+  }
+  write_text_file(folder_.file("r/runs.csv"), runs);
+  std::filesystem::remove(folder_.file("r/files.csv"));
+  EXPECT_INPUT_ERROR(load_results(folder_.file("r")), "files.csv: is not the table");
 }
 
 // Before, claims were sentences and nothing listed the pictures.
@@ -193,6 +231,10 @@ TEST_F(ResultFolder, IsRefusedWhereItIsDamaged) {
   refuse("series.csv", "run,series,x,value\nzero,residual,1,1\n", "'zero' is not a whole number");
   refuse("cost.csv", "", "cost.csv: is empty");
   refuse("files.csv", "path\nmaps/a.png\n", "files.csv:1: has no column 'run'");
+  for (const char* path : {"../a.png", "maps/../../a.png", "/etc/passwd"}) {
+    refuse("files.csv", std::string("run,path,title\n0,") + path + ",a\n",
+           "is no path below the result's folder");
+  }
 }
 
 }  // namespace

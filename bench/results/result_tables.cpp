@@ -1,6 +1,7 @@
 #include "bench/results/result_tables.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -128,6 +129,12 @@ std::string verdicts_csv(const Results& results, bool of_cost) {
                       verdict.measured, verdict.thesis});
   }
   return text;
+}
+
+// Not elsewhere: what a result lists is read, shown and removed with it.
+bool is_below_a_folder(const std::string& path) {
+  const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
+  return !normal.empty() && normal.is_relative() && *normal.begin() != "..";
 }
 
 }  // namespace
@@ -306,7 +313,11 @@ std::vector<FileOfRun> parse_files(const std::string& name, std::string_view csv
   const Table table(name, csv);
   std::vector<FileOfRun> files;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    files.push_back({table.text(i, "path"), table.whole(i, "run"), table.text(i, "title")});
+    const std::string& path = table.text(i, "path");
+    if (!is_below_a_folder(path)) {
+      throw InputError(table.place(i), in_quotes(path) + " is no path below the result's folder");
+    }
+    files.push_back({path, table.whole(i, "run"), table.text(i, "title")});
   }
   return files;
 }

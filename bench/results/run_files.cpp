@@ -24,12 +24,23 @@ std::string slug_of(const std::string& text) {
   return slug;
 }
 
+// Of a variant; where no letter is left of it, or another one has the same, its number.
+std::string slug_of_variant(const Results& results, int variant) {
+  const auto slug = [&](std::size_t i) { return slug_of(results.variants[i]); };
+  const auto index = static_cast<std::size_t>(variant);
+  bool is_its_own = !slug(index).empty();
+  for (std::size_t i = 0; i < results.variants.size(); ++i) {
+    if (i != index && slug(i) == slug(index)) is_its_own = false;
+  }
+  return is_its_own ? slug(index) : fmt::format("variant_{}", variant);
+}
+
 // "_level_2_raw": what tells the file of this run from those of others.
 std::string suffix_of(const RunRow& run, const Results& results) {
   std::string suffix;
   if (results.levels.size() > 1) suffix += fmt::format("_level_{}", run.level);
   if (results.variants.size() > 1) {
-    suffix += "_" + slug_of(results.variants[static_cast<std::size_t>(run.variant)]);
+    suffix += "_" + slug_of_variant(results, run.variant);
   }
   return suffix;
 }

@@ -68,6 +68,20 @@ TEST(RunFiles, AreOfTheVariantWhoseWholeNameTheyHave) {
   EXPECT_EQ(found[1].run, 1);
 }
 
+TEST(RunFiles, VariantsWithoutLettersOfTheirOwnAreNumbered) {
+  Results results{.seed = 7};
+  results.levels = levels_of({});
+  results.variants = {"\u00e4", "\u00f6", "a b", "a_b", "c"};
+  std::vector<std::string> names;
+  for (int i = 0; i < 5; ++i) {
+    results.runs.push_back({.run = i, .variant = i, .seed = 7});
+    names.push_back(file_of_run({"maps/map.png", "", ""}, results.runs.back(), results).path);
+  }
+  EXPECT_THAT(names,
+              ElementsAre("maps/map_variant_0.png", "maps/map_variant_1.png",
+                          "maps/map_variant_2.png", "maps/map_variant_3.png", "maps/map_c.png"));
+}
+
 TEST(RunFiles, SortAsPeopleDo) {
   std::vector<std::string> paths{"after_130_s", "after_90_s", "after", "after_90_s_b"};
   std::sort(paths.begin(), paths.end(), in_natural_order);

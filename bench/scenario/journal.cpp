@@ -19,17 +19,22 @@ namespace mapbed {
 namespace {
 
 constexpr std::size_t kChecksum = 16;  // [hexadecimal digits]
-constexpr std::size_t kFixedFields = 8;
+constexpr std::size_t kFixedFields = 9;
 
 std::string with_checksum(const std::string& line) {
   return sha256(line).substr(0, kChecksum) + "," + line;
 }
 
 std::string line_of(const Journal::Entry& entry) {
-  CsvRow row{fmt::to_string(entry.row.run),         fmt::to_string(entry.row.seed),
-             csv_number(entry.cost.seconds),        csv_number(entry.cost.recording_seconds),
-             csv_number(entry.cost.method_seconds), csv_number(entry.cost.recorded_seconds),
-             csv_number(entry.cost.peak_memory),    entry.row.failure};
+  CsvRow row{fmt::to_string(entry.row.run),
+             fmt::to_string(entry.row.seed),
+             csv_number(entry.cost.seconds),
+             csv_number(entry.cost.recording_seconds),
+             csv_number(entry.cost.method_seconds),
+             csv_number(entry.cost.recorded_seconds),
+             csv_number(entry.cost.peak_memory),
+             entry.given,
+             entry.row.failure};
   for (const double value : entry.row.values) row.push_back(csv_number(value));
   return csv_line(row);
 }
@@ -44,18 +49,38 @@ Journal::Entry entry_of(const CsvRow& row) {
   entry.cost.method_seconds = parse_csv_number(row[4]);
   entry.cost.recorded_seconds = parse_csv_number(row[5]);
   entry.cost.peak_memory = parse_csv_number(row[6]);
-  entry.row.failure = row[7];
+  entry.given = row[7];
+  entry.row.failure = row[8];
   for (std::size_t i = kFixedFields; i < row.size(); ++i) {
     entry.row.values.push_back(parse_csv_number(row[i]));
   }
   return entry;
 }
 
+// The line that begins there, with its end, where it is whole and its checksum right; else empty.
+std::string_view valid_line(std::string_view text, std::size_t begin) {
+  const std::size_t end = text.find('\n', begin);
+  if (end == std::string_view::npos) return {};
+  const std::string_view line = text.substr(begin, end + 1 - begin);
+  if (line.size() <= kChecksum + 1) return {};
+  return line == with_checksum(std::string(line.substr(kChecksum + 1))) ? line : std::string_view();
+}
+
+std::string text_of(const std::string& path) {
+  return std::filesystem::exists(path) ? read_text_file(path) : "";
+}
+
 }  // namespace
+
+std::string Journal::identity_of(const std::string& path) {
+  const std::string text = text_of(path);
+  const std::string_view line = valid_line(text, 0);
+  return line.empty() ? "" : parse_csv(path, line.substr(kChecksum + 1)).front().front();
+}
 
 Journal::Journal(const std::string& path, const std::string& identity, std::size_t metrics)
     : path_(path) {
-  const std::string text = std::filesystem::exists(path) ? read_text_file(path) : "";
+  const std::string text = text_of(path);
   file_ = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_APPEND, 0644);
   if (file_ < 0) {
     throw InputError({path}, std::string("cannot be written: ") + std::strerror(errno),
@@ -70,14 +95,11 @@ Journal::~Journal() {
 
 // Keeps what is whole and cuts off the rest.
 void Journal::read(const std::string& text, const std::string& identity, std::size_t metrics) {
-  std::size_t whole = 0;
   bool has_head = false;
-  for (std::size_t end = 0; (end = text.find('\n', whole)) != std::string::npos; whole = end + 1) {
-    const std::string line = text.substr(whole, end + 1 - whole);
-    const bool is_valid =
-        line.size() > kChecksum + 1 && line == with_checksum(line.substr(kChecksum + 1));
-    if (!is_valid) break;
+  std::string_view line;
+  for (std::size_t at = 0; !(line = valid_line(text, at)).empty(); at += line.size()) {
     const CsvRow row = parse_csv(path_, line.substr(kChecksum + 1)).front();
+    size_ += static_cast<off_t>(line.size());
     if (!has_head) {
       has_head = true;
       if (row.front() == identity) continue;
@@ -86,7 +108,7 @@ void Journal::read(const std::string& text, const std::string& identity, std::si
     }
     if (row.size() == kFixedFields + metrics) found_.push_back(entry_of(row));
   }
-  if (ftruncate(file_, static_cast<off_t>(whole)) != 0) {
+  if (ftruncate(file_, size_) != 0) {
     throw InputError({path_}, std::string("cannot be written: ") + std::strerror(errno));
   }
   if (!has_head) write_line(identity + "\n");
@@ -101,8 +123,13 @@ void Journal::write_line(const std::string& line) {
   const std::string text = with_checksum(line);
   const std::scoped_lock lock(mutex_);
   const ssize_t written = write(file_, text.data(), text.size());
-  if (written == static_cast<ssize_t>(text.size())) return;
+  if (written == static_cast<ssize_t>(text.size())) {
+    size_ += written;
+    return;
+  }
   const std::string reason = written < 0 ? std::strerror(errno) : "the disk is full";
+  // Lines of other threads behind a torn one would be lost with it.
+  (void)!ftruncate(file_, size_);
   throw InputError({path_}, "cannot be written: " + reason,
                    "make room and start again; the runs so far are kept");
 }

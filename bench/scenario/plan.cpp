@@ -11,6 +11,7 @@
 #include "bench/sources/source_settings.h"
 #include "core/config/suggestion.h"
 #include "core/config/yaml_limit.h"
+#include "core/file/utf8.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -144,6 +145,10 @@ void check_offer(const Experiment& experiment, const SourcePlan& source, const S
 
 // What is written shall be read again: a report and a later start do.
 void check_config(const ScenarioPlan& plan) {
+  if (!is_utf8(plan.results.config_yaml)) {
+    throw InputError({escaped_utf8(plan.scenario.path)},
+                     "its name, or that of a file that it needs, is not UTF-8", "rename the file");
+  }
   const std::size_t bytes = plan.results.config_yaml.size();
   if (bytes <= kLargestYaml) return;
   throw InputError(

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "bench/process/folder_lock.h"
 #include "bench/process/provenance.h"
 #include "bench/process/stopwatch.h"
@@ -13,10 +15,13 @@
 #include "bench/results/summary.h"
 #include "bench/scenario/identity.h"
 #include "bench/scenario/journal.h"
+#include "bench/scenario/publication.h"
 #include "bench/scenario/runner.h"
 #include "bench/scenario/staging_folder.h"
 #include "core/check.h"
 #include "core/file/atomic_file.h"
+#include "core/file/hash.h"
+#include "core/input_error.h"
 
 namespace mapbed {
 namespace {
@@ -65,13 +70,34 @@ Provenance provenance_of(const ScenarioPlan& plan, const ScenarioRunOptions& opt
   for (const CostRow& cost : run.results.costs) {
     p.processor_seconds += cost.seconds + cost.recording_seconds;
   }
+  for (const ResultFile& table : tables_of_runs(run.results)) {
+    if (!table.content.empty()) p.tables_sha256.emplace_back(table.path, sha256(table.content));
+  }
   return p;
 }
 
+// Rows by hand are no result of this plan: each run once, with its seed, level and variant.
+void check_rows(const Results& found, const ScenarioPlan& plan, const std::string& folder) {
+  const std::vector<int> planned = plan.runs_to_do();
+  bool fits = found.runs.size() == planned.size() && found.costs.size() == planned.size();
+  for (std::size_t i = 0; fits && i < planned.size(); ++i) {
+    const RunRow expected = plan.row(planned[i]);
+    const RunRow& row = found.runs[i];
+    fits = row.run == expected.run && row.seed == expected.seed && row.level == expected.level &&
+           row.variant == expected.variant && found.costs[i].run == expected.run;
+  }
+  if (fits) return;
+  throw InputError({(fs::path(folder) / "runs.csv").string()},
+                   fmt::format("has not each of the {} runs once, as planned", planned.size()),
+                   "--restart makes all runs again, --out chooses another folder");
+}
+
 // A finished result of these very runs and this program, with the words, plots and claims of now.
-ScenarioRun finished_run(const ScenarioPlan& plan, const std::string& folder) {
+ScenarioRun finished_run(const ScenarioPlan& plan, const std::string& folder,
+                         const std::string& identity) {
   ScenarioRun run{.results = plan.results, .complete = true};
   Results found = load_results(folder);
+  check_rows(found, plan, folder);
   run.results.runs = std::move(found.runs);
   run.results.costs = std::move(found.costs);
   run.results.series = std::move(found.series);
@@ -79,8 +105,8 @@ ScenarioRun finished_run(const ScenarioPlan& plan, const std::string& folder) {
   run.results.provenance_json = std::move(found.provenance_json);
   run.done_before = static_cast<int>(run.results.runs.size());
   summarize(run.results);
-  write_results(folder, run.results);
-  fs::remove_all(fs::path(folder) / "runs");
+  publish(folder, run.results);
+  discard_staging(folder, identity);
   return run;
 }
 
@@ -114,14 +140,16 @@ ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& opt
                          const MayGoOn& may_go_on) {
   const Stopwatch stopwatch;
   const FolderLock lock(options.folder);
+  finish_publication(options.folder);
   const std::string identity = identity_of(plan) + sha256_of_program();
   if (!options.restart && finished_identity(options.folder) == identity) {
-    return finished_run(plan, options.folder);
+    return finished_run(plan, options.folder, identity);
   }
+  refuse_foreign_files(options.folder);
   StagingFolder staging(options.folder, plan.results, identity, options.restart);
   // Tells a later start why runs that stay unfinished do not count any more.
   write_file((fs::path(options.folder) / "runs" / "tables" / "config.yaml").string(),
-             plan.results.config_yaml);
+             plan.results.config_yaml, Durability::unsynced);
   ScenarioRun run = all_runs(plan, options.threads, staging, may_go_on);
   if (!run.complete) return run;
   staging.collect(run.results);

@@ -32,11 +32,14 @@ using MayGoOn = std::function<bool(std::size_t done, std::size_t total)>;
 //
 //   config.yaml; runs, summary, series, claims, files  the same bytes for the same seed
 //   cost.csv, cost_claims.csv, provenance.json         all that differs from run to run
+//   figures/                                           of the scenario's plots
 //   maps/, trajectories/, figures/, replays/           of the first seed, by level and variant
 //
 // Until everything is done it writes below runs/ only, and goes on from there when it is started
-// again; an older result of the folder stays until then. Throws InputError where another program is
-// at work in the folder, or it cannot be written.
+// again. An older result of the folder, of whatever configuration, stays until then; then the new
+// one takes its place, with nothing left of it. Unfinished runs of another configuration are in the
+// way unless this one is finished already. Throws InputError where another program is at work in
+// the folder, or it cannot be written, or a finished result is not as it was written.
 ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& options,
                          const MayGoOn& may_go_on);
 

@@ -9,7 +9,9 @@
 #include "bench/results/result_folder.h"
 #include "bench/results/result_tables.h"
 #include "bench/results/run_files.h"
+#include "bench/scenario/publication.h"
 #include "core/file/atomic_file.h"
+#include "core/file/hash.h"
 #include "core/file/text_file.h"
 #include "core/input_error.h"
 
@@ -18,35 +20,71 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kStaging = "runs";
+
 template <class T>
 void append(std::vector<T> more, std::vector<T>& all) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-// Files that are not here any more were moved by a start that was killed.
-void move_files(const fs::path& from, const fs::path& to) {
-  std::vector<fs::path> found;
-  for (const auto& entry : fs::recursive_directory_iterator(from)) {
-    if (entry.is_regular_file()) found.push_back(entry.path());
-  }
-  for (const fs::path& path : found) {
-    const fs::path target = to / fs::relative(path, from);
-    fs::create_directories(target.parent_path());
-    fs::rename(path, target);
-  }
+// The journal last: what is left of a start that is killed here still says whose it is.
+void remove_staging(const fs::path& staging) {
+  for (const char* name : {"files", "tables", "journal"}) fs::remove_all(staging / name);
+  fs::remove_all(staging);
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) throw InputError({folder.string()}, "cannot be made: " + failed.message());
+}
+
+std::string journal_in(const fs::path& staging) {
+  return (staging / "journal").string();
 }
 
 }  // namespace
 
+// The journal first: a folder without one is somebody else's.
 StagingFolder::StagingFolder(const std::string& folder, const Results& planned,
                              const std::string& identity, bool afresh)
-    : planned_(planned), folder_(folder), staging_(folder_ / "runs") {
-  if (afresh) fs::remove_all(staging_);
-  std::error_code failed;
-  fs::create_directories(staging_ / "files", failed);
-  if (failed) throw InputError({staging_.string()}, "cannot be made: " + failed.message());
-  fs::create_directories(staging_ / "tables");
-  journal_.emplace((staging_ / "journal").string(), identity, planned.metrics.size());
+    : planned_(planned), folder_(folder), staging_(folder_ / kStaging) {
+  const std::string journal = journal_in(staging_);
+  if (fs::exists(journal)) {
+    if (afresh || Journal::identity_of(journal).empty()) remove_staging(staging_);
+  } else if (fs::exists(staging_) && !(fs::is_directory(staging_) && fs::is_empty(staging_))) {
+    throw InputError({staging_.string()}, "is in the way: it holds no unfinished runs",
+                     "move it away, or choose another folder with --out");
+  }
+  make_folder(staging_);
+  journal_.emplace(journal, identity, planned.metrics.size());
+  for (const char* name : {"files", "tables"}) make_folder(staging_ / name);
+  resume();
+}
+
+// A row may have got to the disk before a power cut, and its run's files not.
+void StagingFolder::resume() {
+  for (const Journal::Entry& entry : journal_->found()) {
+    if (entry.given != checksum_of(entry.row.run)) continue;
+    found_.push_back(entry);
+    const std::string files = table("files", entry.row.run);
+    if (files.empty()) continue;
+    for (const FileOfRun& file : parse_files(table_path("files", entry.row.run), files)) {
+      run_by_file_.emplace(file.path, entry.row.run);
+    }
+  }
+}
+
+void StagingFolder::own(const std::string& path, int run) {
+  if (is_plot(planned_, path)) {
+    throw InputError({path}, "would be the file of a plot and of a run",
+                     "give the plot another 'file'");
+  }
+  const auto [owner, is_new] = run_by_file_.emplace(path, run);
+  if (is_new) return;
+  throw InputError({path},
+                   fmt::format("would be the file of run {} and of run {}", owner->second, run),
+                   "give the variants names that differ in letters or digits");
 }
 
 // Files first: a run that is in the journal is there with all it gave.
@@ -56,46 +94,75 @@ void StagingFolder::commit(const RunResult& result) {
   of_run.series = result.series;
   for (const ResultFile& file : result.files) {
     of_run.files.push_back(file_of_run(file, result.row, planned_));
+    own(of_run.files.back().path, result.row.run);
     const fs::path path = staging_ / "files" / of_run.files.back().path;
-    fs::create_directories(path.parent_path());
-    write_file(path.string(), file.content);
+    make_folder(path.parent_path());
+    write_file(path.string(), file.content, Durability::unsynced);
   }
   write_table("series", result.row.run, series_csv(of_run));
   write_table("files", result.row.run, files_csv(of_run));
-  journal_->append({result.row, result.cost});
+  journal_->append({result.row, result.cost, checksum_of(result.row.run)});
 }
 
 void StagingFolder::collect(Results& results) const {
   for (const RunRow& run : results.runs) {
-    const std::string series = table_path("series", run.run);
-    if (fs::exists(series)) {
-      append(parse_series(series, read_text_file(series), results), results.series);
+    const std::string series = table("series", run.run);
+    if (!series.empty()) {
+      append(parse_series(table_path("series", run.run), series, results), results.series);
     }
-    const std::string files = table_path("files", run.run);
-    if (fs::exists(files)) append(parse_files(files, read_text_file(files)), results.files);
+    const std::string files = table("files", run.run);
+    if (!files.empty()) append(parse_files(table_path("files", run.run), files), results.files);
   }
 }
 
 void StagingFolder::finish(const Results& results) {
-  move_files(staging_ / "files", folder_);
-  write_results(folder_.string(), results);
   journal_.reset();
-  fs::remove_all(staging_);
+  publish(folder_.string(), results, kStaging);
 }
 
 std::string StagingFolder::table_path(const std::string& kind, int run) const {
   return (staging_ / "tables" / fmt::format("{}_{}.csv", kind, run)).string();
 }
 
-void StagingFolder::write_table(const std::string& kind, int run, const std::string& csv) const {
-  if (!csv.empty()) write_file(table_path(kind, run), csv);
+std::string StagingFolder::table(const std::string& kind, int run) const {
+  const std::string path = table_path(kind, run);
+  return fs::exists(path) ? read_text_file(path) : "";
 }
 
-std::string finished_identity(const std::string& folder) {
+void StagingFolder::write_table(const std::string& kind, int run, const std::string& csv) const {
+  if (!csv.empty()) write_file(table_path(kind, run), csv, Durability::unsynced);
+}
+
+// Of the tables and files of a run; empty where they are damaged.
+std::string StagingFolder::checksum_of(int run) const try {
+  const std::string files = table("files", run);
+  Sha256 sum;
+  sum.add(sha256(table("series", run)) + sha256(files));
+  if (!files.empty()) {
+    for (const FileOfRun& file : parse_files(table_path("files", run), files)) {
+      sum.add(sha256_of_file((staging_ / "files" / file.path).string()));
+    }
+  }
+  return sum.digits().substr(0, 16);
+} catch (const InputError&) {
+  return "";
+}
+
+void discard_staging(const std::string& folder, const std::string& identity) {
+  const fs::path staging = fs::path(folder) / kStaging;
+  if (!fs::exists(journal_in(staging))) return;
+  const std::string found = Journal::identity_of(journal_in(staging));
+  if (found.empty() || found == identity) remove_staging(staging);
+}
+
+std::string finished_identity(const std::string& folder) try {
+  if (!is_result_folder(folder)) return {};
   std::ifstream file(fs::path(folder) / "provenance.json");
-  const auto json = nlohmann::json::parse(file, nullptr, false);
-  if (!json.is_object() || !json.contains("program")) return {};
-  return json.value("runs_sha256", "") + json["program"].value("sha256", "");
+  const auto json = nlohmann::json::parse(file);
+  return json.at("runs_sha256").get<std::string>() +
+         json.at("program").at("sha256").get<std::string>();
+} catch (const nlohmann::json::exception&) {
+  return {};
 }
 
 }  // namespace mapbed

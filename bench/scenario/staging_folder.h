@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,27 +21,38 @@ class StagingFolder {
   StagingFolder(const std::string& folder, const Results& planned, const std::string& identity,
                 bool afresh);
 
-  const std::vector<Journal::Entry>& found() const { return journal_->found(); }
+  // Runs of before of which all is there that they gave.
+  const std::vector<Journal::Entry>& found() const { return found_; }
 
-  // A run that is over, with all it gave.
+  // A run that is over, with all it gave. Throws InputError where a file of it has the name of
+  // another run's or of a plot's.
   void commit(const RunResult& result);
 
   // Adds the series and the list of files of all runs of `results`, committed by this start or one
   // before.
   void collect(Results& results) const;
 
-  // Files and tables to where they belong; the staging folder goes.
+  // The result takes the place of the folder's older one, and the staging folder goes.
   void finish(const Results& results);
 
  private:
   std::string table_path(const std::string& kind, int run) const;
+  std::string table(const std::string& kind, int run) const;  // empty where there is none
   void write_table(const std::string& kind, int run, const std::string& csv) const;
+  std::string checksum_of(int run) const;
+  void resume();
+  void own(const std::string& path, int run);
 
   const Results& planned_;
   std::filesystem::path folder_;
   std::filesystem::path staging_;
   std::optional<Journal> journal_;
+  std::vector<Journal::Entry> found_;
+  std::map<std::string, int> run_by_file_;
 };
+
+// Throws the staging folder of a result's folder away, unless its runs are of another identity.
+void discard_staging(const std::string& folder, const std::string& identity);
 
 // What the finished result of a folder says it is of; empty where there is none.
 std::string finished_identity(const std::string& folder);

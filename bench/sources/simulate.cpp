@@ -7,6 +7,7 @@
 
 #include "bench/sources/files_record.h"
 #include "core/config/yaml_scalar.h"
+#include "core/file/atomic_file.h"
 #include "core/file/text_file.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/map_server.h"
@@ -198,6 +199,7 @@ void write_simulation(const std::string& log_path, const SimulationResult& resul
   log.measurements = result.log;
   log.true_poses = truth;
   write_carmen_log(log_path, log);
+  if (is_special_file(log_path)) return;  // nothing stands beside a pipe
   const std::string stem = stem_of(log_path);
   write_truth(stem + ".truth.gz", result.recording.truth);
   write_relations(stem + ".relations", truth);

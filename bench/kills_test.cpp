@@ -1,0 +1,202 @@
+// `mapbed run`, killed at any system call by which it changes files, and started again.
+//
+// Every so many-th call; each one where MAPBED_ALL_KILLS is set.
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "bench/cli/testing/command_test.h"
+#include "bench/cli/testing/killed_program.h"
+#include "bench/results/result_folder.h"
+
+namespace mapbed {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+namespace fs = std::filesystem;
+
+// A bare room and a drive of a second: two runs, with maps, trajectories, replays, series, plots.
+constexpr const char* kRoom =
+    "about: a bare room\n"
+    "floor: {from: [0 m, 0 m], to: [6 m, 4 m], material: concrete}\n"
+    "walls:\n"
+    "  - {name: south, from: [0 m, 0 m], to: [6 m, 0 m]}\n"
+    "  - {name: east, from: [6 m, 0 m], to: [6 m, 4 m]}\n"
+    "  - {name: north, from: [6 m, 4 m], to: [0 m, 4 m]}\n"
+    "  - {name: west, from: [0 m, 4 m], to: [0 m, 0 m]}\n"
+    "paths: {along: {points: [[1 m, 2 m], [5 m, 2 m]]}}\n";
+constexpr const char* kWanted =
+    "about: the wanted question\n"
+    "world: ./room.yaml\n"
+    "robot: pioneer\n"
+    "recorder.longest: 1 s\n"
+    "series_step: 0.5 s\n"
+    "compare: {raw: {estimator: odometry}, matched: {estimator: scan_matching}}\n"
+    "metrics: [translation_error, failures, position_error]\n"
+    "plots: [{kind: series, y: position_error}, {y: translation_error}]\n"
+    "claims: [{metric: failures, of: matched, at_most: raw},\n"
+    "         {metric: run_seconds, of: matched, above: 0}]\n";
+// Other runs, files and plots, and none of its own where the wanted one has some.
+constexpr const char* kOther =
+    "about: the other question\n"
+    "world: ./room.yaml\n"
+    "robot: pioneer\n"
+    "recorder.longest: 1 s\n"
+    "seed: 7\n"
+    "sweep: {robot.odometry.rotation_sigma: [0 deg, 3 deg]}\n"
+    "estimator: odometry\n"
+    "metrics: [largest_error, failures]\n"
+    "plots: [{y: largest_error}]\n";
+
+// What an undisturbed run gives again to the byte.
+constexpr const char* kTables[] = {"config.yaml", "runs.csv",   "summary.csv",
+                                   "claims.csv",  "series.csv", "files.csv"};
+
+bool is_the_same_each_time(const std::string& path) {
+  return path != "cost.csv" && path != "cost_claims.csv" && path != "provenance.json" &&
+         path != "report.html";
+}
+
+class Kills : public CommandTest {
+ protected:
+  Kills() {
+    write("room.yaml", kRoom);
+    write("wanted.yaml", kWanted);
+    write("other.yaml", kOther);
+    EXPECT_EQ(call(run_of("wanted", "whole")).status, 0);
+    EXPECT_EQ(call(run_of("other", "other")).status, 0);
+  }
+
+  static std::vector<std::string> run_of(const std::string& scenario, const std::string& folder) {
+    return {"run", "./" + scenario + ".yaml", "-j", "1", "--out", folder};
+  }
+
+  // All that is in a folder, hidden or not, by path.
+  std::map<std::string, std::string> files_in(const std::string& folder) const {
+    std::map<std::string, std::string> files;
+    if (!fs::exists(path(folder))) return files;
+    for (const auto& entry : fs::recursive_directory_iterator(path(folder))) {
+      const std::string name = fs::relative(entry.path(), path(folder)).string();
+      files[name] = entry.is_directory() ? "a folder" : read_text_file(entry.path().string());
+    }
+    return files;
+  }
+
+  void expect_as_undisturbed(const std::string& folder, const std::string& reference,
+                             const std::string& not_asked) const {
+    const auto files = files_in(folder);
+    const auto expected = files_in(reference);
+    for (const auto& [name, content] : expected) {
+      const auto found = files.find(name);
+      ASSERT_NE(found, files.end()) << name << " is missing";
+      EXPECT_TRUE(!is_the_same_each_time(name) || found->second == content) << name;
+    }
+    for (const auto& [name, content] : files) {
+      EXPECT_TRUE(expected.contains(name)) << name << " is too much";
+    }
+    EXPECT_THAT(files.at("report.html"), Not(HasSubstr(not_asked)));
+  }
+
+  // What shows itself as a result is one, of whatever configuration, and no mixture.
+  void expect_whole_or_none(const std::string& folder, const std::string& before) const {
+    if (!is_result_folder(path(folder))) return;
+    const auto files = files_in(folder);
+    const auto is_of = [&](const std::string& reference) {
+      const auto expected = files_in(reference);
+      return std::all_of(std::begin(kTables), std::end(kTables), [&](const char* name) {
+        const bool is_expected = expected.contains(name);
+        return is_expected == files.contains(name) &&
+               (!is_expected || files.at(name) == expected.at(name));
+      });
+    };
+    EXPECT_TRUE(is_of("whole") || is_of("other") || (!before.empty() && is_of(before)));
+  }
+
+  // Kills the run in `result`, which is `before` at first, at each call; `again` has to make it
+  // as it is in `reference`.
+  void kill_everywhere(const std::string& before, const std::vector<std::string>& killed,
+                       const std::vector<std::string>& again, const std::string& reference,
+                       const std::string& not_asked) {
+    const int step = std::getenv("MAPBED_ALL_KILLS") != nullptr ? 1 : 23;
+    int kills = 0;
+    for (int nth = 1;; nth += step) {
+      SCOPED_TRACE(fmt::format("killed at call {}", nth));
+      fs::remove_all(path("result"));
+      if (!before.empty()) fs::copy(path(before), path("result"), fs::copy_options::recursive);
+      const std::optional<KilledRun> run = run_killed_at(nth, killed, path());
+      if (!run) GTEST_SKIP() << "the system lets no program trace another";
+      if (!run->was_killed) {
+        EXPECT_EQ(run->status, 0);
+        EXPECT_GT(run->calls, 60) << "that were seen";
+        fmt::print("{} kills, at {} calls\n", kills, run->calls);
+        break;
+      }
+      ++kills;
+      expect_whole_or_none("result", before);
+      const Outcome outcome = call(again);
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+      expect_as_undisturbed("result", reference, not_asked);
+      if (HasFailure()) return;
+    }
+    std::vector<std::string> beside;
+    for (const auto& entry : fs::directory_iterator(path())) {
+      beside.push_back(entry.path().filename().string());
+    }
+    const std::vector<std::string> known{"other",       "other.yaml", "result", "room.yaml",
+                                         "wanted.yaml", "whole",      "before"};
+    for (const std::string& name : beside) {
+      EXPECT_THAT(known, ::testing::Contains(name)) << "litter";
+    }
+  }
+};
+
+TEST_F(Kills, InAnEmptyFolderGiveTheSameBytes) {
+  const auto run = run_of("wanted", "result");
+  kill_everywhere("", run, run, "whole", "the other question");
+}
+
+TEST_F(Kills, OverAFinishedResultOfAnotherConfigurationLeaveNothingOfIt) {
+  const auto run = run_of("wanted", "result");
+  kill_everywhere("other", run, run, "whole", "the other question");
+}
+
+TEST_F(Kills, OverAnUnfinishedOneOfAnotherConfigurationLeaveNothingOfIt) {
+  // Killed with a run in the journal.
+  for (int nth = 1;; ++nth) {
+    fs::remove_all(path("before"));
+    const auto run = run_killed_at(nth, run_of("other", "before"), path());
+    if (!run) GTEST_SKIP() << "the system lets no program trace another";
+    ASSERT_TRUE(run->was_killed);
+    const std::string journal = path("before/runs/journal");
+    if (fs::exists(journal) && fs::file_size(journal) > 250) break;
+  }
+  EXPECT_THAT(call(run_of("wanted", "before")).err, HasSubstr("--restart throws them away"));
+  auto run = run_of("wanted", "result");
+  run.push_back("--restart");
+  kill_everywhere("before", run, run, "whole", "the other question");
+}
+
+// The other configuration is wanted back, whose place the killed one was about to take.
+TEST_F(Kills, ThenTheOtherConfigurationAgainGivesItsOwnBytes) {
+  auto again = run_of("other", "result");
+  again.push_back("--restart");
+  kill_everywhere("other", run_of("wanted", "result"), again, "other", "the wanted question");
+}
+
+TEST_F(Kills, OfAFinishedResultThatGetsOtherWordsDoNoHarm) {
+  write("wanted.yaml", std::string(kWanted) + "thesis: in other words\n");
+  const auto run = run_of("wanted", "result");
+  fs::copy(path("whole"), path("before"), fs::copy_options::recursive);
+  EXPECT_EQ(call(run_of("wanted", "whole")).status, 0);
+  kill_everywhere("before", run, run, "whole", "the other question");
+}
+
+}  // namespace
+}  // namespace mapbed

@@ -1,0 +1,187 @@
+#include "bench/scenario/publication.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <vector>
+
+#include "bench/results/figures.h"
+#include "bench/results/result_folder.h"
+#include "core/file/atomic_file.h"
+#include "core/file/csv_file.h"
+#include "core/file/text_file.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Lines of the list: what to do, and with which paths below the result's folder.
+constexpr const char* kRemove = "remove";  // a file
+constexpr const char* kMove = "move";      // a file, from, to
+constexpr const char* kDrop = "drop";      // a folder with all that is in it
+
+fs::path work_folder(const fs::path& folder) {
+  return folder / ".publication";
+}
+
+fs::path list_in(const fs::path& folder) {
+  return work_folder(folder) / "list";
+}
+
+// Figures and tables. The configuration is last: a folder without it is no result's.
+std::vector<ResultFile> made_of(const Results& results) {
+  std::vector<ResultFile> files = figure_files(results);
+  const std::vector<ResultFile> tables = files_of(results);
+  files.insert(files.end(), tables.begin(), tables.end());
+  std::erase_if(files, [](const ResultFile& file) { return file.content.empty(); });
+  std::stable_partition(files.begin(), files.end(),
+                        [](const ResultFile& file) { return file.path != "config.yaml"; });
+  return files;
+}
+
+std::set<std::string> paths_of(const std::vector<ResultFile>& made, const Results& results) {
+  std::set<std::string> paths;
+  for (const ResultFile& file : made) paths.insert(file.path);
+  for (const FileOfRun& file : results.files) paths.insert(file.path);
+  return paths;
+}
+
+bool is_published(const std::string& folder, const std::vector<ResultFile>& made,
+                  const Results& results) {
+  const std::set<std::string> now = paths_of(made, results);
+  for (const std::string& path : paths_of_result(folder)) {
+    if (path != "report.html" && !now.contains(path) && fs::exists(fs::path(folder) / path)) {
+      return false;
+    }
+  }
+  return std::all_of(made.begin(), made.end(),
+                     [&](const ResultFile& file) { return is_as_written(folder, file); });
+}
+
+void sync_files(const fs::path& base, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    if (fs::exists(base / path)) sync_file((base / path).string());
+  }
+}
+
+// The folders that files are in, and `base`: their names are on the disk behind this.
+void sync_folders_of(const fs::path& base, const std::vector<std::string>& paths) {
+  std::set<fs::path> folders{base};
+  for (const std::string& path : paths) {
+    fs::path inner = fs::path(path).parent_path();
+    for (; !inner.empty(); inner = inner.parent_path()) folders.insert(base / inner);
+  }
+  for (const fs::path& folder : folders) {
+    if (fs::exists(folder)) sync_folder(folder.string());
+  }
+}
+
+// Where the older result leaves an empty folder, that goes too.
+void remove_file(const fs::path& folder, const std::string& path) {
+  fs::remove(folder / path);
+  for (fs::path inner = fs::path(path).parent_path(); !inner.empty(); inner = inner.parent_path()) {
+    std::error_code error;
+    if (!fs::is_empty(folder / inner, error) || error) return;
+    fs::remove(folder / inner, error);
+  }
+}
+
+// As often as needed: what is done already is passed over.
+void carry_out(const fs::path& folder, const std::vector<CsvRow>& list) {
+  std::set<std::string> arrived;
+  std::vector<std::string> targets;
+  for (const CsvRow& line : list) {
+    if (line[0] != kMove) continue;
+    targets.push_back(line[2]);
+    if (!fs::exists(folder / line[1])) arrived.insert(line[2]);
+  }
+  for (const CsvRow& line : list) {
+    if (line[0] == kRemove && !arrived.contains(line[1])) remove_file(folder, line[1]);
+  }
+  for (const CsvRow& line : list) {
+    if (line[0] != kMove || arrived.contains(line[2])) continue;
+    fs::create_directories((folder / line[2]).parent_path());
+    fs::rename(folder / line[1], folder / line[2]);
+  }
+  sync_folders_of(folder, targets);
+  for (const CsvRow& line : list) {
+    if (line[0] == kDrop) fs::remove_all(folder / line[1]);
+  }
+}
+
+[[noreturn]] void refuse(const std::string& folder, const fs::filesystem_error& error) {
+  throw InputError({error.path1().empty() ? folder : error.path1().string()},
+                   "cannot be written: " + error.code().message(),
+                   "start again when it can be; the runs are kept");
+}
+
+// What goes, what comes, and what was needed on the way.
+std::vector<CsvRow> list_of(const std::string& folder, const Results& results,
+                            const std::vector<ResultFile>& made, const std::string& staging) {
+  std::set<std::string> kept;
+  if (staging.empty()) {
+    for (const FileOfRun& file : results.files) kept.insert(file.path);
+  }
+  std::vector<CsvRow> list;
+  std::vector<std::string> older = paths_of_result(folder);
+  std::stable_partition(older.begin(), older.end(),
+                        [](const std::string& path) { return path == "config.yaml"; });
+  for (const std::string& path : older) {
+    if (!kept.contains(path)) list.push_back({kRemove, path, ""});
+  }
+  if (!staging.empty()) {
+    for (const FileOfRun& file : results.files) {
+      list.push_back({kMove, staging + "/files/" + file.path, file.path});
+    }
+  }
+  for (const ResultFile& file : made) {
+    list.push_back({kMove, ".publication/new/" + file.path, file.path});
+  }
+  if (!staging.empty()) list.push_back({kDrop, staging, ""});
+  return list;
+}
+
+}  // namespace
+
+void publish(const std::string& folder, const Results& results, const std::string& staging) {
+  const std::vector<ResultFile> made = made_of(results);
+  if (staging.empty() && is_published(folder, made, results)) return;
+  try {
+    std::vector<std::string> paths;
+    for (const ResultFile& file : made) {
+      const fs::path path = work_folder(folder) / "new" / file.path;
+      fs::create_directories(path.parent_path());
+      write_file(path.string(), file.content, Durability::unsynced);
+    }
+    const std::vector<CsvRow> list = list_of(folder, results, made, staging);
+    for (const CsvRow& line : list) {
+      if (line[0] == kMove) paths.push_back(line[1]);
+    }
+    sync_files(folder, paths);
+    sync_folders_of(folder, paths);
+    write_file(list_in(folder).string(), csv_text(list));
+  } catch (const fs::filesystem_error& error) {
+    refuse(folder, error);
+  }
+  finish_publication(folder);
+}
+
+void finish_publication(const std::string& folder) try {
+  if (!is_being_published(folder)) return;
+  const std::string list = list_in(folder).string();
+  if (fs::exists(list)) {
+    carry_out(folder, parse_csv(list, read_text_file(list)));
+    fs::remove(list);
+  }
+  fs::remove_all(work_folder(folder));
+} catch (const fs::filesystem_error& error) {
+  refuse(folder, error);
+}
+
+bool is_being_published(const std::string& folder) {
+  return fs::exists(work_folder(folder));
+}
+
+}  // namespace mapbed
