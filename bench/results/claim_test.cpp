@@ -118,6 +118,8 @@ TEST(Claim, SkippedRunsSayNothing) {
 TEST(Claim, TheUpperHalfBeginsInTheMiddle) {
   const Results results = results_of({{9}, {1}, {1}}, {{2}, {2}, {2}});
   EXPECT_TRUE(judged("{metric: error, of: a, below: b, at: upper half}", results).held);
+  const Results middle = results_of({{1}, {9}, {1}}, {{2}, {2}, {2}});
+  EXPECT_FALSE(judged("{metric: error, of: a, below: b, at: upper half}", middle).held);
 }
 
 TEST(Claim, ASignTestNeedsEnoughPairs) {
