@@ -146,28 +146,30 @@ function(mapbed_install_package)
   install(EXPORT mapbed NAMESPACE mapbed:: FILE mapbed-targets.cmake DESTINATION ${folder})
 endfunction()
 
-# mapbed_fuzz_target(settings_fuzz SOURCES settings_fuzz.cpp LINKS mapbed::core CORPUS testdata/fuzz_settings)
-# makes a libFuzzer program and a test (label fuzz) that starts from the files of CORPUS. Only in the
-# preset `fuzz`; a source of one defines LLVMFuzzerTestOneInput.
-function(mapbed_fuzz_target name)
+# mapbed_fuzz_target(file/csv_file_fuzz.cpp SOURCES … LINKS mapbed::core) makes a libFuzzer program and a test
+# (label fuzz) that starts from the files of file/testdata/csv_file_fuzz. Only in the preset `fuzz`; the file
+# defines LLVMFuzzerTestOneInput. SOURCES: what it needs of a library that is too large to link.
+function(mapbed_fuzz_target file)
   if(NOT MAPBED_FUZZ)
     return()
   endif()
-  cmake_parse_arguments(ARG "" "CORPUS" "SOURCES;LINKS" ${ARGN})
-  file(GLOB seeds ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_CORPUS}/*)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  cmake_path(GET file STEM name)
+  cmake_path(GET file PARENT_PATH folder)
+  set(corpus ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/testdata/${name})
+  file(GLOB seeds ${corpus}/*)
   if(NOT seeds)
-    message(FATAL_ERROR "${name}: no seed files in ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_CORPUS}")
+    message(FATAL_ERROR "${name}: no seed files in ${corpus}")
   endif()
-  add_executable(${name} ${ARG_SOURCES})
+  add_executable(${name} ${file} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/fuzz)
   target_link_libraries(${name} PRIVATE mapbed::flags ${ARG_LINKS})
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
-  set_property(GLOBAL APPEND PROPERTY mapbed_fuzz_targets
-    "${name}\;${CMAKE_CURRENT_SOURCE_DIR}/${ARG_CORPUS}")
+  set_property(GLOBAL APPEND PROPERTY mapbed_fuzz_targets "${name}\;${corpus}")
 endfunction()
 
-# The tests of all fuzz targets; together they take MAPBED_FUZZ_SECONDS. New inputs are kept under
-# the build folder, those that fail in fuzz/failures-<name>-*.
+# The tests of all fuzz targets; one after the other they take MAPBED_FUZZ_SECONDS. New inputs are
+# kept under the build folder, those that fail in fuzz/failures-<name>-*.
 function(mapbed_fuzz_tests)
   if(NOT MAPBED_FUZZ)
     return()
@@ -179,15 +181,17 @@ function(mapbed_fuzz_tests)
     return()
   endif()
   math(EXPR seconds "${MAPBED_FUZZ_SECONDS} / ${count}")
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/fuzz/files)
   foreach(target IN LISTS targets)
     list(GET target 0 name)
     list(GET target 1 seeds)
     add_dependencies(mapbed_fuzz ${name})
     file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/fuzz/found-${name})
-    add_test(NAME fuzz.${name} COMMAND ${name} -max_total_time=${seconds} -timeout=30
-      -rss_limit_mb=1024 -max_len=16384 -print_final_stats=1
+    add_test(NAME fuzz.${name} COMMAND ${name} -max_total_time=${seconds} -timeout=20
+      -rss_limit_mb=2048 -max_len=16384 -print_final_stats=1
       -artifact_prefix=${CMAKE_BINARY_DIR}/fuzz/failures-${name}-
       ${CMAKE_BINARY_DIR}/fuzz/found-${name} ${seeds})
-    set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz RUN_SERIAL ON)
+    set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz
+      ENVIRONMENT "TMPDIR=${CMAKE_BINARY_DIR}/fuzz/files")
   endforeach()
 endfunction()

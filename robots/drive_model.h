@@ -28,18 +28,22 @@ struct DriveModel {
 template <class Visitor>
 void visit_fields(DriveModel& o, Visitor&& visit) {
   visit("kind", o.kind, {"synchro", "differential", "skid_steer"}, "how the wheels are arranged");
-  visit("max_speed", o.max_speed, Unit::meter_per_second, kPositive, "fastest forward or back");
-  visit("max_turn_speed", o.max_turn_speed, Unit::radian_per_second, kPositive, "fastest turn");
-  visit("acceleration", o.acceleration, Unit::meter_per_second_squared, kPositive,
+  visit("max_speed", o.max_speed, Unit::meter_per_second, between(0.001, 100.0),
+        "fastest forward or back");
+  visit("max_turn_speed", o.max_turn_speed, Unit::radian_per_second, between(0.001, 100.0),
+        "fastest turn");
+  visit("acceleration", o.acceleration, Unit::meter_per_second_squared, between(0.001, 1000.0),
         "of the wheels, speeding up or braking");
-  visit("turn_acceleration", o.turn_acceleration, Unit::radian_per_second_squared, kPositive,
-        "the same for turning");
-  visit("track", o.track, Unit::meter, kPositive, "between left and right wheels");
-  visit("wheel_base", o.wheel_base, Unit::meter, kNotNegative, "between front and rear axle");
-  visit("friction", o.friction, kPositive, "wheel on floor (Coulomb)");
-  visit("surface_spread", o.surface_spread, kNotNegative,
+  visit("turn_acceleration", o.turn_acceleration, Unit::radian_per_second_squared,
+        between(0.001, 1000.0), "the same for turning");
+  visit("track", o.track, Unit::meter, between(0.01, 100.0), "between left and right wheels");
+  visit("wheel_base", o.wheel_base, Unit::meter, between(0.0, 100.0),
+        "between front and rear axle");
+  visit("friction", o.friction, between(0.001, 10.0), "wheel on floor (Coulomb)");
+  visit("surface_spread", o.surface_spread, between(0.0, 10.0),
         "relative sigma of sideways against lengthwise friction from patch to patch of floor");
-  visit("surface_patch", o.surface_patch, Unit::meter, kPositive, "side of such a patch");
+  visit("surface_patch", o.surface_patch, Unit::meter, between(0.01, 10'000.0),
+        "side of such a patch");
   visit("wheel_spread", o.wheel_spread, between(0.0, 0.1),
         "relative sigma of the wheels' radii, drawn once a robot");
 }

@@ -60,16 +60,17 @@ void visit_fields(LaserNoise& o, Visitor&& visit) {
   visit("near_range", o.near_range, Unit::meter, kNotNegative, "the error grows from here");
   visit("far_range", o.far_range, Unit::meter, kNotNegative, "the error stops growing here");
   visit("bias", o.bias, Unit::meter, "systematic error, added to every reading");
-  visit("step", o.step, Unit::meter, kNotNegative, "readings are multiples of this");
+  visit("step", o.step, Unit::meter, between(0.0, 10.0), "readings are multiples of this");
   visit("dark_range", o.dark_range, Unit::meter, kNotNegative,
         "a 10 % reflector met head on is seen half the time here; 0: everything is seen");
-  visit("dark_softness", o.dark_softness, kNotNegative, "relative sigma of that limit");
+  visit("dark_softness", o.dark_softness, between(0.0, 100.0), "relative sigma of that limit");
   visit("miss_probability", o.miss_probability, kFraction, "a beam returns nothing");
   visit("short_probability", o.short_probability, kFraction, "a reading before the surface");
   visit("random_probability", o.random_probability, kFraction, "a reading anywhere");
   visit("mixed_pixels", o.mixed_pixels, {"off", "weighted", "either", "pulse"},
         "what a beam on an edge returns");
-  visit("pulse_length", o.pulse_length, Unit::meter, kNotNegative, "closer echoes merge into one");
+  visit("pulse_length", o.pulse_length, Unit::meter, between(0.0, 100.0),
+        "closer echoes merge into one");
   visit("glass", o.glass, "panes let beams through by chance; no: they are walls");
 }
 
@@ -78,14 +79,17 @@ void visit_fields(LaserModel& o, Visitor&& visit) {
   visit("about", o.about, "what it is");
   visit("beams", o.beams, between(1, 100'000), "readings of one sweep");
   visit("first_bearing", o.first_bearing, Unit::radian, "direction of the first reading");
-  visit("bearing_step", o.bearing_step, Unit::radian, kPositive, "from one reading to the next");
-  visit("max_range", o.max_range, Unit::meter, kPositive, "the reading that means nothing");
-  visit("scan_rate", o.scan_rate, Unit::hertz, kPositive, "sweeps reported per second");
-  visit("mirror_rate", o.mirror_rate, Unit::hertz, kNotNegative,
+  visit("bearing_step", o.bearing_step, Unit::radian, between(1e-6, 6.3),
+        "from one reading to the next");
+  visit("max_range", o.max_range, Unit::meter, between(0.01, 1000.0),
+        "the reading that means nothing");
+  visit("scan_rate", o.scan_rate, Unit::hertz, between(0.001, 10'000.0),
+        "sweeps reported per second");
+  visit("mirror_rate", o.mirror_rate, Unit::hertz, between(0.0, 100'000.0),
         "turns of the mirror per second; 0: all beams at once");
   visit("interlace", o.interlace, between(1, 64), "turns of the mirror for one sweep");
-  visit("divergence", o.divergence, Unit::radian, kNotNegative, "opening angle of the beam");
-  visit("aperture", o.aperture, Unit::meter, kNotNegative, "width of the beam at the sensor");
+  visit("divergence", o.divergence, Unit::radian, between(0.0, 1.0), "opening angle of the beam");
+  visit("aperture", o.aperture, Unit::meter, between(0.0, 1.0), "width of the beam at the sensor");
   visit("sub_rays", o.sub_rays, between(1, 15), "rays across the beam's width");
   visit("noise", o.noise, "how the readings differ from the truth");
 }

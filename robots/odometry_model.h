@@ -31,7 +31,8 @@ struct OdometryModel {
 template <class Visitor>
 void visit_fields(OdometryModel& o, Visitor&& visit) {
   visit("source", o.source, {"wheels", "truth"}, "what is measured, before noise");
-  visit("rate", o.rate, Unit::hertz, kNotNegative, "own readings per second; 0: with each sweep");
+  visit("rate", o.rate, Unit::hertz, between(0.0, 1000.0),
+        "own readings per second; 0: with each sweep");
   visit("start_turn_bias", o.start_turn_bias, Unit::radian_per_meter, "systematic start turn");
   visit("start_turn_per_meter", o.start_turn_per_meter, Unit::radian, kNotNegative,
         "sigma of the start turn after one metre");

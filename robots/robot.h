@@ -53,19 +53,19 @@ std::vector<MountedLaser> lasers_of(const Robot& robot);
 
 template <class Visitor>
 void visit_fields(RobotFootprint& o, Visitor&& visit) {
-  visit("radius", o.radius, Unit::meter, kNotNegative, "of a round robot; 0: a box");
-  visit("length", o.length, Unit::meter, kNotNegative, "of the box, along x");
-  visit("width", o.width, Unit::meter, kNotNegative, "of the box, along y");
+  visit("radius", o.radius, Unit::meter, between(0.0, 100.0), "of a round robot; 0: a box");
+  visit("length", o.length, Unit::meter, between(0.0, 100.0), "of the box, along x");
+  visit("width", o.width, Unit::meter, between(0.0, 100.0), "of the box, along y");
 }
 
 // The mount, then all that its model has.
 template <class Visitor>
 void visit_fields(MountedSensor& o, Visitor&& visit) {
   Mount& mount = o.robot_from_sensor;
-  visit("x", mount.planar.x, Unit::meter, "ahead of the robot's origin");
-  visit("y", mount.planar.y, Unit::meter, "to the left of it");
+  visit("x", mount.planar.x, Unit::meter, between(-100.0, 100.0), "ahead of the robot's origin");
+  visit("y", mount.planar.y, Unit::meter, between(-100.0, 100.0), "to the left of it");
   visit("heading", mount.planar.theta, Unit::radian, "where it looks, counter-clockwise");
-  visit("z", mount.z, Unit::meter, kPositive, "above the floor");
+  visit("z", mount.z, Unit::meter, between(0.001, 100.0), "above the floor");
   visit("pitch", mount.pitch, Unit::radian, between(-1.5707963267948966, 1.5707963267948966),
         "positive: it looks down");
   visit("roll", mount.roll, Unit::radian, "about the axis along which it looks");
@@ -75,8 +75,8 @@ void visit_fields(MountedSensor& o, Visitor&& visit) {
 template <class Visitor>
 void visit_fields(Robot& o, Visitor&& visit) {
   visit("about", o.about, "what it is");
-  visit("mass", o.mass, Unit::kilogram, kPositive, "with everything on it");
-  visit("height", o.height, Unit::meter, kPositive, "above the floor");
+  visit("mass", o.mass, Unit::kilogram, between(0.01, 100'000.0), "with everything on it");
+  visit("height", o.height, Unit::meter, between(0.01, 100.0), "above the floor");
   visit("footprint", o.footprint, "outline seen from above");
   visit("drive", o.drive, "how it moves");
   visit("odometry", o.odometry, "what it thinks how it moved");

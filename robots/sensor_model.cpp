@@ -3,6 +3,7 @@
 #include <map>
 
 #include "core/config/config_node.h"
+#include "core/config/quantity.h"
 #include "core/config/suggestion.h"
 #include "core/data_path.h"
 #include "core/geometry/angle.h"
@@ -11,9 +12,18 @@
 namespace mapbed {
 namespace {
 
+constexpr double kMostRays = 1e8;  // [1/s] that are cast: minutes for each second of the drive
+
 void check(const LaserModel& laser, const SourceLocation& place) {
   if (laser.beams * laser.bearing_step > 2.0 * kPi + 1e-4) {
     throw InputError(place, "the beams cover more than a full turn", "lower beams or bearing_step");
+  }
+  const double rays = laser.scan_rate * laser.beams * laser.sub_rays;
+  if (rays > kMostRays) {
+    throw InputError(place,
+                     "the laser sends " + quantity_text(rays, Unit::none) + " rays a second, of " +
+                         quantity_text(kMostRays, Unit::none) + " at most",
+                     "lower beams, sub_rays or scan_rate");
   }
   if (laser.noise.far_range < laser.noise.near_range) {
     throw InputError(place, "noise.far_range is below noise.near_range",

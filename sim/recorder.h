@@ -17,7 +17,7 @@ struct RecorderOptions {
 
 template <class Visitor>
 void visit_fields(RecorderOptions& o, Visitor&& visit) {
-  visit("longest", o.longest, Unit::second, kPositive, "the recording ends after this");
+  visit("longest", o.longest, Unit::second, between(0.001, 1e6), "the recording ends after this");
   visit("first_stamp", o.first_stamp, Unit::second, kNotNegative, "stamp of the start");
   visit("tells_driver", o.tells_driver, "the driver gets the measurements, with noise");
 }

@@ -1,13 +1,44 @@
 #include "sim/recording.h"
 
+#include <memory>
 #include <utility>
 
-namespace mapbed {
+#include <fmt/format.h>
 
-RecordingSink sink_into(Recording& recording) {
-  return {.reading = [&](IdealReading&& r) { recording.readings.push_back(std::move(r)); },
-          .states = [&](StampedStates&& s) { recording.truth.states.push_back(std::move(s)); },
-          .beams = [&](BeamTruthOfScan&& b) { recording.truth.beams.push_back(std::move(b)); }};
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+std::size_t bytes_of(const IdealReading& reading) {
+  const auto* scan = std::get_if<IdealScan>(&reading);
+  if (scan == nullptr) return sizeof reading;
+  return sizeof reading + scan->echoes.size() * sizeof(Echo) +
+         scan->first_echo.size() * sizeof(std::uint32_t);
+}
+std::size_t bytes_of(const StampedStates& states) {
+  return sizeof states + states.moving.size() * sizeof(MovingPose);
+}
+std::size_t bytes_of(const BeamTruthOfScan& scan) {
+  return sizeof scan + scan.beams.size() * sizeof(BeamTruth);
+}
+
+}  // namespace
+
+RecordingSink sink_into(Recording& recording, std::size_t max_bytes) {
+  const auto keep = [used = std::make_shared<std::size_t>(0), max_bytes](auto& list, auto&& item) {
+    *used += bytes_of(item);
+    if (*used > max_bytes) {
+      throw InputError(fmt::format(
+          "the recording takes more than {:.3g} GB of memory; choose fewer beams or sub_rays, a "
+          "lower scan_rate, fewer people or a smaller recorder.longest",
+          static_cast<double>(max_bytes) / 1e9));
+    }
+    list.push_back(std::move(item));
+  };
+  return {.reading = [&recording, keep](IdealReading&& r) { keep(recording.readings, r); },
+          .states = [&recording, keep](StampedStates&& s) { keep(recording.truth.states, s); },
+          .beams = [&recording, keep](BeamTruthOfScan&& b) { keep(recording.truth.beams, b); }};
 }
 
 }  // namespace mapbed

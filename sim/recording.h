@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct RecordingSink {
   std::function<void(BeamTruthOfScan&&)> beams = {};
 };
 
-// Keeps everything in memory: in `recording`, which must outlive the sink.
-RecordingSink sink_into(Recording& recording);
+// Keeps everything in memory: in `recording`, which must outlive the sink. InputError where that
+// gets more than `max_bytes`: an hour of a scanner of 180 beams, ten times a second, fits.
+RecordingSink sink_into(Recording& recording, std::size_t max_bytes = 2'500'000'000);
 
 }  // namespace mapbed

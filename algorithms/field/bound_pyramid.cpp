@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
+
+#include "core/input_error.h"
 
 namespace mapbed {
 namespace {
 
-constexpr int kMaxLevels = 8;     // blocks of up to 128 x 128 shifts
-constexpr int kBlocksAcross = 5;  // of the coarsest level, about
+constexpr int kMaxLevels = 8;           // blocks of up to 128 x 128 shifts
+constexpr int kBlocksAcross = 5;        // of the coarsest level, about
+constexpr double kMostCells = 1 << 27;  // of a level, a byte each
 
 // The larger of a cell and those `reach` cells right, above and both. The margin keeps rows apart.
 void widen(const std::vector<std::uint8_t>& fine, int width, int reach,
@@ -49,6 +53,13 @@ void remake_bound_pyramid(const LikelihoodField& field, double window, BoundPyra
   pyramid.width = pyramid.box.width() + 2 * margin;
   pyramid.height = pyramid.box.height() + 2 * margin;
 
+  const double size = static_cast<double>(pyramid.width) * pyramid.height;
+  if (!(size <= kMostCells)) {
+    throw InputError(fmt::format(
+        "a search over {:g} m about a map of {} x {} cells takes too much memory; choose larger "
+        "cells or a smaller window",
+        window, pyramid.box.width(), pyramid.box.height()));
+  }
   pyramid.levels.resize(static_cast<std::size_t>(level_count));
   std::vector<std::uint8_t>& cells = pyramid.levels.front();
   cells.assign(static_cast<std::size_t>(pyramid.width) * static_cast<std::size_t>(pyramid.height),

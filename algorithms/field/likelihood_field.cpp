@@ -6,14 +6,18 @@
 #include <numeric>
 #include <utility>
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "algorithms/grid/grid_size.h"
 #include "core/check.h"
+#include "core/input_error.h"
 
 namespace mapbed {
 namespace {
 
-constexpr double kReach = 3.0;  // [sigma] of the neighbourhood that a mapped point changes
+constexpr double kReach = 3.0;       // [sigma] of the neighbourhood that a mapped point changes
+constexpr int kLargestRadius = 200;  // [cells] of it: every point changes its square
 constexpr int kMixtureSteps = 1024;
 constexpr int kDirectoryMargin = 4;  // [tiles] grown beyond what is needed
 
@@ -26,6 +30,12 @@ LikelihoodField::LikelihoodField(const LikelihoodFieldOptions& options)
       outlier_log_(static_cast<float>(mixture_.outlier_log())),
       radius_(static_cast<int>(std::ceil(kReach * (options.sigma / options.resolution)))) {
   CHECK(options.resolution > 0.0);
+  if (radius_ > kLargestRadius) {
+    throw InputError(fmt::format(
+        "a sigma of {:g} m is too large for a map of {:g} m a cell; choose a smaller one or larger "
+        "cells",
+        options.sigma, options.resolution));
+  }
 }
 
 void LikelihoodField::clear() {
@@ -42,8 +52,11 @@ void LikelihoodField::widen_directory(int tile_x, int tile_y) {
     min = tile < low ? tile - kDirectoryMargin : low;
     size = (tile >= high ? tile + 1 + kDirectoryMargin : high) - min;
   };
-  widen(tile_x, min_x_, width_);
-  widen(tile_y, min_y_, height_);
+  int min_x = min_x_, min_y = min_y_, width = width_, height = height_;
+  widen(tile_x, min_x, width);
+  widen(tile_y, min_y, height);
+  check_grid_size(width, height);
+  min_x_ = min_x, min_y_ = min_y, width_ = width, height_ = height;
   std::vector<std::int32_t> wider(
       static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1);
   for (int y = 0; y < old_height; ++y) {

@@ -22,8 +22,9 @@ struct LikelihoodFieldOptions {
 
 template <class Visitor>
 void visit_fields(LikelihoodFieldOptions& o, Visitor&& visit) {
-  visit("resolution", o.resolution, Unit::meter, kPositive, "side of a cell");
-  visit("sigma", o.sigma, Unit::meter, kPositive, "sigma of end points about the mapped surface");
+  visit("resolution", o.resolution, Unit::meter, between(0.005, 2.0), "side of a cell");
+  visit("sigma", o.sigma, Unit::meter, between(0.001, 2.0),
+        "sigma of end points about the mapped surface");
   visit("inlier_ratio", o.inlier_ratio, between(0.01, 0.999),
         "fraction of beams that the map explains; the rest may end anywhere");
 }

@@ -7,6 +7,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/random.h"
+#include "core/testing/throws_input_error.h"
 
 namespace mapbed {
 namespace {
@@ -118,6 +119,15 @@ TEST(LikelihoodField, BroughtUpToDateIsTheFieldMadeAnew) {
   const CellBox box = updated.box(), expected = anew.box();
   EXPECT_EQ(box.min, expected.min);
   EXPECT_EQ(box.max, expected.max);
+}
+
+TEST(LikelihoodField, RefusesAReachThatTakesForeverAndPointsTooFarApart) {
+  EXPECT_INPUT_ERROR(LikelihoodField({.resolution = 0.005, .sigma = 2.0}),
+                     "sigma of 2 m is too large");
+  LikelihoodField field;
+  field.add(SurfacePoint{.position = {0.0, 0.0}});
+  EXPECT_INPUT_ERROR(field.add(SurfacePoint{.position = {1e7, 1e7}}), "poses lie too far apart");
+  EXPECT_GT(field.log_at({0.0, 0.0}), field.outlier_log()) << "what was there stays";
 }
 
 }  // namespace

@@ -24,9 +24,9 @@ struct LocalMapOptions {
 
 template <class Visitor>
 void visit_fields(LocalMapOptions& o, Visitor&& visit) {
-  visit("max_scans", o.max_scans, at_least(1),
+  visit("max_scans", o.max_scans, between(1, 100'000),
         "scans in the local map at most (alpha of Algorithm 1)");
-  visit("max_history", o.max_history, at_least(1),
+  visit("max_history", o.max_history, between(1, 10'000'000),
         "scans to look back at most (beta of Algorithm 1)");
   visit("min_distance", o.min_distance, Unit::meter, kNotNegative,
         "between integrated scans (gamma of Algorithm 1)");

@@ -30,7 +30,8 @@ struct SurfaceLikelihoodOptions {
 
 template <class Visitor>
 void visit_fields(SurfaceLikelihoodOptions& o, Visitor&& visit) {
-  visit("sigma", o.sigma, Unit::meter, kPositive, "sigma of end points about the mapped surface");
+  visit("sigma", o.sigma, Unit::meter, between(0.001, 2.0),
+        "sigma of end points about the mapped surface");
   visit("inlier_ratio", o.inlier_ratio, between(0.01, 0.999),
         "fraction of beams that the map explains");
   visit("beam_weight", o.beam_weight, between(0.001, 1.0),

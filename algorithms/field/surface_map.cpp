@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "algorithms/field/surface_map_reader.h"
+#include "algorithms/grid/grid_size.h"
 
 namespace mapbed {
 
@@ -28,6 +29,7 @@ void SurfaceMap::widen(int block_x, int block_y) {
   const int high_x = width_ == 0 ? block_x : std::max(min_x_ + width_ - 1, block_x);
   const int high_y = width_ == 0 ? block_y : std::max(min_y_ + height_ - 1, block_y);
   const int width = high_x - low_x + 1, height = high_y - low_y + 1;
+  check_grid_size(width, height);
   std::vector<std::shared_ptr<Block>> wider(static_cast<std::size_t>(width * height));
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {

@@ -27,7 +27,7 @@ void visit_fields(MapOptions& o, Visitor&& visit) {
       "model", o.model, {"counting", "odds", "end_points_counting", "end_points_odds"},
       "what a cell keeps: the fraction of beams that it reflects, the odds that it is occupied, or "
       "either from the beams' end points alone");
-  visit("resolution", o.resolution, Unit::meter, kPositive, "side of a cell");
+  visit("resolution", o.resolution, Unit::meter, between(0.005, 10.0), "side of a cell");
   visit("beams", o.beams, "which beams are used, and how far");
   visit("odds", o.odds, "the odds model of one look at a cell");
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include "algorithms/grid/map_image.h"
 #include "core/input_error.h"
@@ -20,6 +21,8 @@ struct Placement {
   GridFrame frame;
   CellIndex first;
 };
+
+constexpr double kMostCells = 1 << 28;  // of the upright box around a turned map
 
 Placement place(const Eigen::Vector2d& corner, double resolution) {
   const Eigen::Vector2d cells = corner / resolution;
@@ -59,6 +62,12 @@ OccupancyMap turned_map_of(const MapServerMap& map) {
   const Placement placement = place(bounds.min(), map.resolution);
   const Pose2 image_from_map = inverse(map.map_from_image);
   const Eigen::Array2d sides = (bounds.sizes() / map.resolution).array();
+  if (!(sides.prod() <= kMostCells)) {
+    throw InputError(
+        fmt::format("a map of {} x {} cells is too long to be turned; make its picture "
+                    "coarser, or write it with an origin of yaw 0",
+                    map.occupancy.width(), map.occupancy.height()));
+  }
   const Eigen::Array2i cells = (sides - 1e-6).ceil().cast<int>();
   OccupancyMap result(placement.frame);
   OccupancyMap::Writer writer(result);

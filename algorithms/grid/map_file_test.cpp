@@ -193,5 +193,12 @@ TEST(MapImage, RefusesMapsThatMakeNoPicture) {
   EXPECT_INPUT_ERROR(image_box(map, "map.pgm"), "map.pgm is 20001 x 20001 cells");
 }
 
+TEST(MapFile, AMapThatIsLongAndAslantIsRefusedAndNotLookedThroughForHours) {
+  MapServerMap map{.occupancy = Image<float>(200'000, 1, 1.0F), .resolution = 0.05};
+  EXPECT_EQ(known_box(occupancy_map_of(map)).width(), 200'000);
+  map.map_from_image.theta = 0.7;
+  EXPECT_INPUT_ERROR(occupancy_map_of(map), "a map of 200000 x 1 cells is too long to be turned");
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -9,7 +9,7 @@
 namespace mapbed {
 namespace {
 
-constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;  // what the readers of pictures take
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 26;  // what the readers of pictures take
 
 std::uint8_t grey_of(const Occupancy& cell) {
   if (!cell.known()) return kUnknownGrey;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/check.h"
+#include "algorithms/grid/grid_size.h"
 
 namespace mapbed {
 
@@ -76,7 +76,7 @@ class TileDirectory {
     wider.min_x_ = min_x_, wider.min_y_ = min_y_, wider.width_ = width_, wider.height_ = height_;
     widen(x, wider.min_x_, wider.width_);
     widen(y, wider.min_y_, wider.height_);
-    CHECK(wider.width_ <= kMaxTiles && wider.height_ <= kMaxTiles);
+    check_grid_size(wider.width_, wider.height_);
     wider.tiles_.resize(static_cast<std::size_t>(wider.width_) *
                         static_cast<std::size_t>(wider.height_));
     for (int ty = min_y_; ty < min_y_ + height_; ++ty) {

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/testing/throws_input_error.h"
+
 namespace mapbed {
 namespace {
 
@@ -52,6 +54,15 @@ TEST(TiledGrid, KnowsTheBoxOfTheCellsAskedFor) {
   grid.at({3, 90}) = 1;
   grid.at({500, 500}) = -1;
   EXPECT_EQ(grid.box_where([](int cell) { return cell > 0; }), (CellBox{{-40, 7}, {3, 90}}));
+}
+
+TEST(TiledGrid, RefusesPlacesSoFarApartThatTheWayBetweenTakesAllMemory) {
+  TiledGrid<int> grid(0.1);
+  grid.at({0, 0}) = 1;
+  EXPECT_INPUT_ERROR(grid.at({200'000'000, 200'000'000}),
+                     "poses lie too far apart for a map: it would have 6250001 x 6250001 tiles");
+  grid.at({2'000'000, 100}) = 1;  // 200 km along one axis alone
+  EXPECT_EQ(grid[(CellIndex{2'000'000, 100})], 1);
 }
 
 TEST(GridFrame, ACellHoldsItsCenterAndItsLowerCorner) {

@@ -28,11 +28,11 @@ struct RelocalizationOptions {
 
 template <class Visitor>
 void visit_fields(RelocalizationOptions& o, Visitor&& visit) {
-  visit("max_updates", o.max_updates, at_least(0),
+  visit("max_updates", o.max_updates, between(0, 1'000'000),
         "updates after an interruption in which the whole map is searched; 0: none");
   visit("min_inlier_ratio", o.min_inlier_ratio, kFraction,
         "fraction of them that the map explains there");
-  visit("min_odds", o.min_odds, at_least(1.0), "odds of the place found to any other one");
+  visit("min_odds", o.min_odds, between(1.0, 1e12), "odds of the place found to any other one");
 }
 
 // Finds scans in a whole map, all headings alike. A place is believed where two things hold:

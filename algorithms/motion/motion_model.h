@@ -31,17 +31,17 @@ struct MotionModelOptions {
 
 template <class Visitor>
 void visit_fields(MotionModelOptions& o, Visitor&& visit) {
-  visit("rotation_per_rotation", o.rotation_per_rotation, Unit::radian, kNotNegative,
+  visit("rotation_per_rotation", o.rotation_per_rotation, Unit::radian, between(0.0, 10.0),
         "sigma of a rotation after 1 rad");
-  visit("rotation_per_meter", o.rotation_per_meter, Unit::radian, kNotNegative,
+  visit("rotation_per_meter", o.rotation_per_meter, Unit::radian, between(0.0, 10.0),
         "sigma of a rotation after 1 m");
-  visit("translation_per_meter", o.translation_per_meter, Unit::meter, kNotNegative,
+  visit("translation_per_meter", o.translation_per_meter, Unit::meter, between(0.0, 10.0),
         "sigma of the translation after 1 m");
-  visit("translation_per_rotation", o.translation_per_rotation, Unit::meter, kNotNegative,
+  visit("translation_per_rotation", o.translation_per_rotation, Unit::meter, between(0.0, 10.0),
         "sigma of the translation after 1 rad");
-  visit("least_rotation_sigma", o.least_rotation_sigma, Unit::radian, kPositive,
+  visit("least_rotation_sigma", o.least_rotation_sigma, Unit::radian, between(1e-6, 10.0),
         "sigma of a rotation at least");
-  visit("least_translation_sigma", o.least_translation_sigma, Unit::meter, kPositive,
+  visit("least_translation_sigma", o.least_translation_sigma, Unit::meter, between(1e-6, 10.0),
         "sigma of the translation at least");
   visit("rotation_bias", o.rotation_bias, between(-0.9, 0.9),
         "mean error of rotations, as a fraction of them");

@@ -21,20 +21,21 @@ struct MotionPriorOptions {
 
 template <class Visitor>
 void visit_fields(MotionPriorOptions& o, Visitor&& visit) {
-  visit("position_sigma", o.position_sigma, Unit::meter, kPositive,
+  visit("position_sigma", o.position_sigma, Unit::meter, between(1e-4, 100.0),
         "sigma of the position at least");
-  visit("heading_sigma", o.heading_sigma, Unit::radian, kPositive, "sigma of the heading at least");
-  visit("position_per_meter", o.position_per_meter, kNotNegative,
+  visit("heading_sigma", o.heading_sigma, Unit::radian, between(1e-4, 10.0),
+        "sigma of the heading at least");
+  visit("position_per_meter", o.position_per_meter, between(0.0, 100.0),
         "sigma of the position, for each metre");
-  visit("position_per_turn", o.position_per_turn, kNotNegative,
+  visit("position_per_turn", o.position_per_turn, between(0.0, 100.0),
         "sigma of the position [m] for each radian");
-  visit("heading_per_meter", o.heading_per_meter, Unit::radian_per_meter, kNotNegative,
+  visit("heading_per_meter", o.heading_per_meter, Unit::radian_per_meter, between(0.0, 100.0),
         "sigma of the heading for each metre");
-  visit("heading_per_turn", o.heading_per_turn, kNotNegative,
+  visit("heading_per_turn", o.heading_per_turn, between(0.0, 100.0),
         "sigma of the heading for each radian");
-  visit("speed_sigma", o.speed_sigma, Unit::meter_per_second, kPositive,
+  visit("speed_sigma", o.speed_sigma, Unit::meter_per_second, between(1e-4, 100.0),
         "without odometry: change of speed from scan to scan");
-  visit("turn_speed_sigma", o.turn_speed_sigma, Unit::radian_per_second, kPositive,
+  visit("turn_speed_sigma", o.turn_speed_sigma, Unit::radian_per_second, between(1e-4, 100.0),
         "without odometry: change of turning speed from scan to scan");
 }
 

@@ -27,10 +27,11 @@ void visit_fields(RefinementOptions& o, Visitor&& visit) {
   visit(
       "enabled", o.enabled,
       "match all scans of the path with the map that they make; 'mapbed map' does so unless told");
-  visit("rounds", o.rounds, at_least(0), "how often all scans are matched");
+  visit("rounds", o.rounds, between(0, 1000), "how often all scans are matched");
   visit("resolution", o.resolution, Unit::meter, between(0.01, 2.0),
         "cells of the map they are matched in");
-  visit("sigma", o.sigma, Unit::meter, kPositive, "sigma of end points about the mapped surface");
+  visit("sigma", o.sigma, Unit::meter, between(0.001, 2.0),
+        "sigma of end points about the mapped surface");
 }
 
 // A place of the path, what was seen there, and the motion from the place before.

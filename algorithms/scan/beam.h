@@ -29,7 +29,7 @@ struct BeamLimits {
 
 template <class Visitor>
 void visit_fields(BeamLimits& o, Visitor&& visit) {
-  visit("usable_range", o.usable_range, Unit::meter, kPositive,
+  visit("usable_range", o.usable_range, Unit::meter, between(0.01, 1000.0),
         "beams are followed this far; what lies beyond is not used");
   visit("no_return_range", o.no_return_range, Unit::meter, kNotNegative,
         "a beam without return means free space where the laser's maximum range is at most this, "

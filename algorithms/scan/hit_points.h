@@ -23,7 +23,7 @@ void visit_fields(HitPointOptions& o, Visitor&& visit) {
   visit("max_range", o.max_range, Unit::meter, kNotNegative, "farther hits are left out");
   visit("min_spacing", o.min_spacing, Unit::meter, kNotNegative,
         "between neighbouring points of a scan");
-  visit("max_points", o.max_points, at_least(1),
+  visit("max_points", o.max_points, between(1, 100'000),
         "points of a scan at most, spread evenly; fewer is faster");
 }
 

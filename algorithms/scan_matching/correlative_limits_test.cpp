@@ -7,6 +7,7 @@
 #include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"
+#include "core/testing/throws_input_error.h"
 
 namespace mapbed {
 namespace {
@@ -66,6 +67,15 @@ TEST_F(SearchWithinLimits, APoseIsAwayByItsPlaceOrByItsHeading) {
 TEST_F(SearchWithinLimits, SaysWhereItGaveUp) {
   EXPECT_TRUE(search({}).complete);
   EXPECT_FALSE(search({.max_blocks = 10}).complete);
+}
+
+TEST_F(SearchWithinLimits, RefusesALatticeThatIsFinerThanAnySearchCanBe) {
+  const CorrelativeMatcherOptions fine{.window = 0.8, .turn_window = 1.0, .turn_step = 1e-9};
+  EXPECT_INPUT_ERROR(
+      match_correlative(points_, field_, make_bound_pyramid(field_, 0.8), {.mean = kTruth}, fine),
+      "choose a larger turn_step");
+  EXPECT_INPUT_ERROR(make_bound_pyramid(field_, 10'000.0),
+                     "choose larger cells or a smaller window");
 }
 
 TEST_F(SearchWithinLimits, APointlessScanHasNoAnswer) {

@@ -6,13 +6,17 @@
 #include <utility>
 
 #include <Eigen/Dense>
+#include <fmt/format.h>
 
 #include "core/check.h"
 #include "core/geometry/angle.h"
+#include "core/input_error.h"
 #include "core/statistics/quantile.h"
 
 namespace mapbed {
 namespace {
+
+constexpr double kMostTurns = 10'000;  // to either side
 
 // The lattice that is searched: turns about the prediction, then shifts by whole cells.
 struct Lattice {
@@ -33,7 +37,14 @@ Lattice lattice_of(const FieldPoints& points, double resolution,
     }
     lattice.turn_step = 1.0 / std::max(1.0, double{quantile_of(std::move(distances), 0.9)});
   }
-  lattice.turns = static_cast<int>(std::ceil(options.turn_window / lattice.turn_step - 1e-9));
+  const double turns = std::ceil(options.turn_window / lattice.turn_step - 1e-9);
+  if (!(turns <= kMostTurns)) {
+    throw InputError(
+        fmt::format("a search over {:g} rad in turns of {:g} rad tries too many of them; "
+                    "choose a larger turn_step or a smaller turn_window",
+                    options.turn_window, lattice.turn_step));
+  }
+  lattice.turns = static_cast<int>(turns);
   return lattice;
 }
 

@@ -24,10 +24,10 @@ struct CorrelativeMatcherOptions {
 
 template <class Visitor>
 void visit_fields(CorrelativeMatcherOptions& o, Visitor&& visit) {
-  visit("window", o.window, Unit::meter, kNotNegative,
+  visit("window", o.window, Unit::meter, between(0.0, 100.0),
         "shifts of up to this, along both axes of the map");
-  visit("turn_window", o.turn_window, Unit::radian, kNotNegative, "turns of up to this");
-  visit("turn_step", o.turn_step, Unit::radian, kNotNegative,
+  visit("turn_window", o.turn_window, Unit::radian, between(0.0, 10.0), "turns of up to this");
+  visit("turn_step", o.turn_step, Unit::radian, between(0.0, 10.0),
         "between tried turns; 0: far points move by one cell");
   visit("min_inlier_ratio", o.min_inlier_ratio, kFraction,
         "fraction of the scan that a trusted match explains");

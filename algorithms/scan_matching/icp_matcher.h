@@ -27,10 +27,11 @@ struct IcpMatcherOptions {
 
 template <class Visitor>
 void visit_fields(IcpMatcherOptions& o, Visitor&& visit) {
-  visit("max_iterations", o.max_iterations, at_least(1), "iterations at most");
-  visit("max_distance", o.max_distance, Unit::meter, kPositive, "between the points of a pair");
-  visit("sigma", o.sigma, Unit::meter, kPositive, "sigma of points about their lines");
-  visit("last_step", o.last_step, Unit::meter, kPositive,
+  visit("max_iterations", o.max_iterations, between(1, 1000), "iterations at most");
+  visit("max_distance", o.max_distance, Unit::meter, between(0.001, 100.0),
+        "between the points of a pair");
+  visit("sigma", o.sigma, Unit::meter, between(1e-4, 10.0), "sigma of points about their lines");
+  visit("last_step", o.last_step, Unit::meter, between(1e-9, 1.0),
         "the iteration ends with a smaller step [m, rad]");
   visit("min_paired", o.min_paired, kFraction, "fraction of the points that a trusted match pairs");
 }

@@ -16,11 +16,11 @@ struct MatchCovarianceOptions {
 
 template <class Visitor>
 void visit_fields(MatchCovarianceOptions& o, Visitor&& visit) {
-  visit("probe_step", o.probe_step, Unit::meter, kPositive,
+  visit("probe_step", o.probe_step, Unit::meter, between(1e-5, 1.0),
         "over which the slopes of the likelihood are compared");
-  visit("turn_per_meter", o.turn_per_meter, Unit::radian_per_meter, kPositive,
+  visit("turn_per_meter", o.turn_per_meter, Unit::radian_per_meter, between(1e-3, 100.0),
         "size of turns beside that of steps");
-  visit("beams_together", o.beams_together, at_least(1),
+  visit("beams_together", o.beams_together, between(1, 100'000),
         "neighbouring points of a scan whose errors are alike");
 }
 

@@ -22,12 +22,12 @@ struct ScanMatcherOptions {
 
 template <class Visitor>
 void visit_fields(ScanMatcherOptions& o, Visitor&& visit) {
-  visit("first_step", o.first_step, Unit::meter, kPositive, "first step of the search");
-  visit("last_step", o.last_step, Unit::meter, kPositive,
+  visit("first_step", o.first_step, Unit::meter, between(1e-4, 10.0), "first step of the search");
+  visit("last_step", o.last_step, Unit::meter, between(1e-5, 10.0),
         "the search ends where the step gets smaller");
-  visit("polish_iterations", o.polish_iterations, at_least(0),
+  visit("polish_iterations", o.polish_iterations, between(0, 1000),
         "Gauss-Newton iterations at the end");
-  visit("turn_per_meter", o.turn_per_meter, Unit::radian_per_meter, kPositive,
+  visit("turn_per_meter", o.turn_per_meter, Unit::radian_per_meter, between(1e-3, 100.0),
         "size of turns beside that of steps");
   visit("min_inlier_ratio", o.min_inlier_ratio, kFraction,
         "fraction of the scan that a trusted match explains");

@@ -6,13 +6,27 @@
 #include <fmt/format.h>
 
 #include "core/config/suggestion.h"
+#include "core/file/tokens.h"
 #include "core/input_error.h"
 
 namespace mapbed {
 namespace {
 
+constexpr double kLargestNumber = 1e6;  // of seconds, metres, frames or people
+
 bool has_name(const CommandOption& option) {
   return option.name.starts_with('-');
+}
+
+// CLI11 reads numbers as the locale has them, and infinity as one.
+CLI::Option* add_number(CLI::App& command, const CommandOption& option, double& target) {
+  const auto read = [&target, name = option.name](const std::string& text) {
+    if (!parse_number(text, target)) throw CLI::ConversionError(text, name);
+  };
+  CLI::Option* added = command.add_option_function<std::string>(option.name, read, option.help);
+  added->type_name("FLOAT");
+  if (option.shows_default) added->default_str(fmt::format("{}", target));
+  return added;
 }
 
 CLI::Option* add_to(CLI::App& command, const CommandOption& option) {
@@ -21,6 +35,8 @@ CLI::Option* add_to(CLI::App& command, const CommandOption& option) {
         using Target = std::remove_pointer_t<decltype(target)>;
         if constexpr (std::is_same_v<Target, bool>) {
           return command.add_flag(option.name, *target, option.help);
+        } else if constexpr (std::is_same_v<Target, double>) {
+          return add_number(command, option, *target);
         } else {
           CLI::Option* added = command.add_option(option.name, *target, option.help);
           if constexpr (std::is_same_v<Target, std::vector<std::string>>) {
@@ -40,8 +56,16 @@ struct AddCheck {
     option.check(CLI::Range(range.least, range.most));
   }
   void operator()(Sign sign) const {
-    option.check(sign == Sign::positive ? CLI::Validator(CLI::PositiveNumber)
-                                        : CLI::Validator(CLI::NonNegativeNumber));
+    const bool is_positive = sign == Sign::positive;
+    const auto objection = [is_positive](const std::string& text) {
+      double number = 0.0;
+      const bool fits = parse_number(text, number) && number <= kLargestNumber &&
+                        (is_positive ? number > 0.0 : number >= 0.0);
+      if (fits) return std::string();
+      return fmt::format("{} is not a number {} and at most {:g}", in_quotes(text),
+                         is_positive ? "above 0" : "from 0 on", kLargestNumber);
+    };
+    option.check(objection, is_positive ? "POSITIVE" : "NONNEGATIVE");
   }
   void operator()(const std::vector<std::string>& words) const {
     option.check(CLI::IsMember(words));
@@ -53,7 +77,8 @@ void add_to(CLI::App& program, const Command& command) {
   for (const CommandOption& option : command.options) {
     CLI::Option& made = *add_to(added, option);
     if (option.is_required) made.required();
-    if (option.shows_default) made.capture_default_str();
+    const bool is_number = std::holds_alternative<double*>(option.target);
+    if (option.shows_default && !is_number) made.capture_default_str();
     if (!option.needs.empty()) made.needs(added.get_option(option.needs));
     if (!option.group.empty()) made.group(option.group);
     std::visit(AddCheck{made}, option.check);

@@ -1,7 +1,5 @@
 #include <cstdio>
 #include <exception>
-#include <filesystem>
-#include <new>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -10,7 +8,7 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/program.h"
 #include "bench/process/standard_streams.h"
-#include "core/input_error.h"
+#include "core/failure_text.h"
 
 namespace {
 
@@ -34,14 +32,8 @@ int main(int argc, char** argv) {
   mapbed::reserve_standard_streams();
   try {
     return run_and_flush(argc, argv);
-  } catch (const mapbed::InputError& error) {
-    fmt::print(stderr, "mapbed: {}\n", error.what());
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "mapbed: out of memory\n");
-  } catch (const std::filesystem::filesystem_error& error) {
-    fmt::print(stderr, "mapbed: {}: {}\n", error.path1().string(), error.code().message());
   } catch (const std::exception& error) {
-    fmt::print(stderr, "mapbed: {}\n", error.what());
+    fmt::print(stderr, "mapbed: {}\n", mapbed::failure_text(error));
   }
   return mapbed::kWrongInput;
 }

@@ -17,7 +17,7 @@ struct EndPointsOptions {
 
 template <class Visitor>
 void visit_fields(EndPointsOptions& o, Visitor&& visit) {
-  visit("scans", o.scans, at_least(0), "the first of the log that are used; 0: all");
+  visit("scans", o.scans, between(0, 10'000'000), "the first of the log that are used; 0: all");
   visit("map", o.map, "how the maps are made; model is not looked at");
 }
 

@@ -22,8 +22,8 @@ struct KnownPosesOptions {
 
 template <class Visitor>
 void visit_fields(KnownPosesOptions& o, Visitor&& visit) {
-  visit("scans", o.scans, at_least(0), "the first of the log that are used; 0: all");
-  visit("glass_looks", o.glass_looks, at_least(1),
+  visit("scans", o.scans, between(0, 10'000'000), "the first of the log that are used; 0: all");
+  visit("glass_looks", o.glass_looks, between(1, 1'000'000),
         "beams that must have met glass in a cell for it to count as glass");
   visit("map", o.map, "how the map is made of the scans");
 }

@@ -41,11 +41,11 @@ void visit_fields(LaserReadingsOptions& o, Visitor&& visit) {
   visit("target", o.target, {"wall", "glass", "edge", "leg", "glass_by_angle"},
         "what the beam is sent at; glass, edge and leg have a wall of plaster behind them");
   visit("material", o.material, "of the wall");
-  visit("distance", o.distance, Unit::meter, kPositive, "of the target");
+  visit("distance", o.distance, Unit::meter, between(0.001, 1000.0), "of the target");
   visit("incidence", o.incidence, Unit::radian, between(0.0, 1.5),
         "between the beam and the normal of wall or pane");
-  visit("gap", o.gap, Unit::meter, kPositive, "from the target to the wall behind");
-  visit("radius", o.radius, Unit::meter, kPositive, "of the leg");
+  visit("gap", o.gap, Unit::meter, between(0.001, 1000.0), "from the target to the wall behind");
+  visit("radius", o.radius, Unit::meter, between(0.001, 100.0), "of the leg");
   visit("readings", o.readings, between(1000, 10'000'000), "that are drawn in a run");
 }
 

@@ -40,17 +40,17 @@ struct MatchingBasinOptions {
 template <class Visitor>
 void visit_fields(MatchingBasinOptions& o, Visitor&& visit) {
   visit("matcher", o.matcher, {"hill_climbing", "correlative", "icp"}, "who finds the pose");
-  visit("trials", o.trials, at_least(1), "scans of a run, spread over the log");
-  visit("start_distance", o.start_distance, Unit::meter, kNotNegative,
+  visit("trials", o.trials, between(1, 1'000'000), "scans of a run, spread over the log");
+  visit("start_distance", o.start_distance, Unit::meter, between(0.0, 100.0),
         "from the true pose to the start, in any direction");
   visit("start_turn", o.start_turn, Unit::radian, kNotNegative,
         "from the true heading to that of the start, to either side");
   visit("success_distance", o.success_distance, Unit::meter, kPositive,
         "a match that is at most this far off is a success");
   visit("success_turn", o.success_turn, Unit::radian, kPositive, "the same of the turn");
-  visit("prior_distance", o.prior_distance, Unit::meter, kPositive,
+  visit("prior_distance", o.prior_distance, Unit::meter, between(1e-4, 10'000.0),
         "sigma of the prior about the start; large: the scan alone counts");
-  visit("prior_turn", o.prior_turn, Unit::radian, kPositive, "the same of the turn");
+  visit("prior_turn", o.prior_turn, Unit::radian, between(1e-4, 100.0), "the same of the turn");
   visit("points", o.points, "which points of a scan are matched");
   visit("local_map", o.local_map, "which past scans are matched against");
   visit("field", o.field, "the smoothed local map");

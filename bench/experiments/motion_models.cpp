@@ -30,8 +30,8 @@ struct MotionModelsExperiment {
 
 template <class Visitor>
 void visit_fields(MotionModelsExperiment& o, Visitor&& visit) {
-  visit("moves", o.moves, at_least(1), "after which the clouds are compared");
-  visit("cloud", o.cloud, at_least(10), "samples of a cloud");
+  visit("moves", o.moves, between(1, 100'000), "after which the clouds are compared");
+  visit("cloud", o.cloud, between(10, 1'000'000), "samples of a cloud");
   visit("odometry_file", o.odometry_file, "parameters of raw odometry that are checked as well");
   visit("matching_file", o.matching_file, "parameters of scan matching that are checked as well");
   visit("longest", o.longest, Unit::second, kNotNegative,

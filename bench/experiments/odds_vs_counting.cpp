@@ -18,8 +18,8 @@ struct OddsVsCountingOptions {
 template <class Visitor>
 void visit_fields(OddsVsCountingOptions& o, Visitor&& visit) {
   visit("model", o.model, {"counting", "odds"}, "which of them gives the occupancy");
-  visit("hits", o.hits, at_least(0), "beams that ended in the cell");
-  visit("misses", o.misses, at_least(0), "beams that went through it");
+  visit("hits", o.hits, between(0, 1'000'000), "beams that ended in the cell");
+  visit("misses", o.misses, between(0, 1'000'000), "beams that went through it");
   visit("odds", o.odds, "one look at a cell");
 }
 

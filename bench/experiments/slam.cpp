@@ -32,7 +32,7 @@ void visit_fields(SlamOptions& o, Visitor&& visit) {
         "of the log, what comes later is left out; 0: all of it counts");
   visit("snapshots", o.snapshots, Unit::second, kNotNegative,
         "since the log's start: figures of what the particles hold possible, of the first seed");
-  visit("series_step", o.series_step, Unit::second, kPositive,
+  visit("series_step", o.series_step, Unit::second, between(0.01, 1e6),
         "between the points of series over the log's time");
   visit_fields(o.evaluation, visit);
 }

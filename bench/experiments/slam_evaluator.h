@@ -35,7 +35,7 @@ void visit_fields(EvaluationOptions& o, Visitor&& visit) {
         "and a smaller excess_doubled_walls");
   visit("failure_distance", o.failure_distance, Unit::meter, kPositive,
         "a run with a larger largest_error is a failure");
-  visit("path_length", o.path_length, Unit::meter, kPositive,
+  visit("path_length", o.path_length, Unit::meter, between(0.01, 10'000.0),
         "of true path, over which relative errors are taken");
   visit("relation_stamps", o.relation_stamps, {"odometry", "linear"},
         "how stamps of relations between poses are reached: by the odometry that the log's "

@@ -15,8 +15,9 @@ struct DoubledWallOptions {
 template <class Visitor>
 void visit_fields(DoubledWallOptions& o, Visitor&& visit) {
   visit("occupied", o.occupied, kFraction, "cells of at least this probability count as occupied");
-  visit("reach", o.reach, Unit::meter, kPositive, "how far to both sides of a wall others count");
-  visit("gap", o.gap, at_least(1), "cells between two walls of the map, at least");
+  visit("reach", o.reach, Unit::meter, between(0.01, 100.0),
+        "how far to both sides of a wall others count");
+  visit("gap", o.gap, between(1, 1000), "cells between two walls of the map, at least");
 }
 
 // Walls that stand in a map twice, as they do where a robot came back without noticing.

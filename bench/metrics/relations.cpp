@@ -16,6 +16,7 @@
 namespace mapbed {
 namespace {
 
+constexpr std::size_t kLargestFile = std::size_t{1} << 27;  // [bytes]
 constexpr double kReach = 5.0;      // [s] a stamp further outside the estimate is skipped
 constexpr double kSameTime = 1e-9;  // [s] two poses closer than this have no way between them
 
@@ -85,7 +86,7 @@ Relation parsed(std::string_view line, const SourceLocation& place) {
 }  // namespace
 
 std::vector<Relation> load_relations(const std::string& path) {
-  return parse_relations(path, read_text_file(path));
+  return parse_relations(path, read_text_file(path, kLargestFile));
 }
 
 std::vector<Relation> parse_relations(const std::string& name, std::string_view text) {

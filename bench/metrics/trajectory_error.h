@@ -65,10 +65,12 @@ PoseErrors error_over_path(const Trajectory& truth, const Trajectory& estimate, 
 
 template <class Visitor>
 void visit_fields(RelativeErrorOptions& o, Visitor&& visit) {
-  visit("delta", o.delta, "length of the motions that are compared, in frames or metres");
+  visit("delta", o.delta, between(1e-6, 1e6),
+        "length of the motions that are compared, in frames or metres");
   visit("unit", o.unit, {"frames", "meters"}, "what delta counts; metres along the estimate");
   visit("all_pairs", o.all_pairs, "a pair from every pose on, instead of one behind the other");
-  visit("tolerance", o.tolerance, "fraction of delta by which the best end of a pair may be off");
+  visit("tolerance", o.tolerance, between(0.0, 100.0),
+        "fraction of delta by which the best end of a pair may be off");
 }
 
 }  // namespace mapbed

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/pages/figure_html.h"
 #include "bench/pages/html.h"
 #include "bench/pages/pictures_html.h"
 #include "bench/pages/scenario_page.h"
@@ -70,7 +71,8 @@ std::string short_html(const ReportedResults& result) {
   const std::vector<Picture> figures = figures_of(result.folder, result.results);
   if (!figures.empty()) html += "<div class=\"figures\">\n";
   for (const Picture& figure : figures) {
-    html += "<figure>\n" + read_text_file(result.folder + "/" + figure.path) + "</figure>\n";
+    html += "<figure>\n" + figure_html(read_text_file(result.folder + "/" + figure.path)) +
+            "</figure>\n";
   }
   if (!figures.empty()) html += "</div>\n";
   return html + "</section>\n";

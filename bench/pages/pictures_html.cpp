@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "bench/pages/figure_html.h"
 #include "bench/plot/svg_text.h"
 #include "bench/results/run_files.h"
 #include "core/file/text_file.h"
@@ -16,12 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kLargestPicture = std::size_t{1} << 25;  // [bytes]
+
 std::string without_extension(const std::string& name) {
   return name.substr(0, name.rfind('.'));
 }
 
 std::string content_of(const std::string& folder, const Picture& picture) {
-  return read_text_file((fs::path(folder) / picture.path).string());
+  return read_text_file((fs::path(folder) / picture.path).string(), kLargestPicture);
 }
 
 // "map, people 3, raw"
@@ -93,7 +96,7 @@ std::string figures_html(const std::string& folder, const Results& results) {
     html += fmt::format(
         "<figure>\n{0}<figcaption>Files: <a href=\"{1}.svg\">picture</a>, "
         "<a href=\"{1}.csv\">numbers</a></figcaption></figure>\n",
-        content_of(folder, figure), xml_escaped(without_extension(figure.path)));
+        figure_html(content_of(folder, figure)), xml_escaped(without_extension(figure.path)));
   }
   return html.empty() ? "" : "<div class=\"figures\">\n" + html + "</div>\n";
 }
@@ -119,7 +122,9 @@ std::string replays_html(const std::string& folder, const Results& results) {
       throw InputError({(fs::path(folder) / replay.path).string()},
                        "is not a replay: not a JSON object");
     }
-    const std::string title = json.value("title", "");
+    const auto named = json.find("title");
+    const std::string title =
+        named != json.end() && named->is_string() ? named->get<std::string>() : "";
     html +=
         "<h3>" + xml_escaped(joined(title.empty() ? replay.title : title, replay.run)) + "</h3>\n";
     html += kPlayer;

@@ -11,6 +11,8 @@
 namespace mapbed {
 namespace {
 
+constexpr double kSameNumber = 1e-9;  // numbers that differ by less, relatively, are drawn as one
+constexpr double kMostDecades = 250;  // of a logarithmic axis
 constexpr double kNoPlace = std::numeric_limits<double>::quiet_NaN();
 
 // The smallest of 1, 2, 5 times a power of ten that is at least `step`.
@@ -28,7 +30,10 @@ std::vector<Tick> linear_ticks(const Scale& scale, int count) {
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
   const double largest = std::max(std::abs(scale.low), std::abs(scale.high));
   std::vector<Tick> ticks;
-  for (double i = std::ceil((scale.low - slack) / step); i * step <= scale.high + slack; ++i) {
+  const double first = std::ceil((scale.low - slack) / step);
+  for (int k = 0; k <= 3 * count; ++k) {  // of large numbers, adding 1 may do nothing
+    const double i = first + k;
+    if (!(i * step <= scale.high + slack)) break;
     const double value = i == 0.0 ? 0.0 : i * step;
     const bool plain = largest < 1e6 && decimals <= 4;
     std::string text = plain ? fmt::format("{:.{}f}", value, decimals) : number_text(value, 4);
@@ -43,7 +48,7 @@ std::vector<Tick> logarithmic_ticks(const Scale& scale, int count) {
   const int every = std::max(1, static_cast<int>(std::ceil(decades / count)));  // decades
   const int first = static_cast<int>(std::floor(std::log10(scale.low)));
   std::vector<Tick> ticks;
-  for (int decade = first; std::pow(10.0, decade) <= scale.high * (1 + 1e-9); ++decade) {
+  for (int decade = first; decade < 308 && std::pow(10.0, decade) <= scale.high * (1 + 1e-9); ++decade) {
     for (int factor = 1; factor <= 9; ++factor) {
       const double value = factor * std::pow(10.0, decade);
       if (value < scale.low * (1 - 1e-9) || value > scale.high * (1 + 1e-9)) continue;
@@ -85,15 +90,18 @@ Scale scale_of(const Axis& axis, std::span<const double> values, bool from_zero)
     high = 1.0;
   }
   if (axis.logarithmic) {
+    low = std::max(low, high * std::pow(10.0, -kMostDecades));
     const double room = std::max(std::pow(high / low, 0.04), 1.1);
     low /= room;
-    high *= room;
+    high = std::min(high * room, 1e307);
   } else if (!axis.categories.empty()) {
     low = -0.5;
     high = static_cast<double>(axis.categories.size()) - 0.5;
   } else {
     const bool near_zero = low >= 0.0 && low <= 0.35 * high;
-    const double room = high > low ? 0.05 * (high - low) : std::max(0.1 * std::abs(high), 0.5);
+    const double size = std::max(std::abs(low), std::abs(high));
+    const double room =
+        high - low > kSameNumber * size ? 0.05 * (high - low) : std::max(0.1 * std::abs(high), 0.5);
     const bool at_zero = near_zero || (from_zero && low >= 0.0);
     high = from_zero && high <= 0.0 ? 0.0 : high + room;
     low = at_zero ? 0.0 : low < 0.0 ? low - room : std::max(0.0, low - room);

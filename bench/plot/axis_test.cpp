@@ -21,6 +21,18 @@ std::vector<std::string> texts_of(const std::vector<Tick>& ticks) {
   return texts;
 }
 
+TEST(Ticks, AreFewHoweverLargeAndHoweverNearTheNumbers) {
+  for (const double size : {1e-300, 1.0, 1e17, 1e300, -1e300}) {
+    for (const double other : {size, std::nextafter(size, 0.0), std::nextafter(size, 2.0 * size)}) {
+      const std::vector<double> values{size, other};
+      EXPECT_LE(ticks_of(scale_of(Axis{}, values), 5).size(), 16u) << size << " " << other;
+    }
+  }
+  EXPECT_LE(ticks_of(Scale{1e17, 1e17 + 16.0}, 5).size(), 16u);
+  const std::vector<double> apart{1e-300, 1e300};
+  EXPECT_LE(ticks_of(scale_of(Axis{.logarithmic = true}, apart), 5).size(), 100u);
+}
+
 TEST(Ticks, StandAtRoundNumbers) {
   EXPECT_THAT(texts_of(ticks_of(Scale{0.0, 1.0}, 5)),
               ElementsAre("0.0", "0.2", "0.4", "0.6", "0.8", "1.0"));

@@ -19,6 +19,8 @@ constexpr float kBlackFrom = 0.5F;
 constexpr double kStrayLength = 1.0;     // [m]
 constexpr double kStrayFraction = 0.02;  // of the known cells, at each side
 constexpr double kStrayBorder = 0.5;     // [m]
+constexpr double kFarTimes = 10.0;       // of the map's longer side: poses beyond are not shown
+constexpr double kFarLeast = 1000.0;     // [m] but those that are nearer than this
 constexpr int kMargin = 24;              // [pixels] around everything
 constexpr int kMinWidth = 420;           // [pixels] of the map's part, so that the legend has room
 constexpr double kTextSize = 15.0;       // [pixels]
@@ -78,10 +80,46 @@ CellBox box_of_surroundings(const OccupancyMap& map) {
   return {{box.min.x + x.low, box.min.y + y.low}, {box.max.x - x.high, box.max.y - y.high}};
 }
 
-CellBox box_around(const OccupancyMap& map, const std::vector<DrawnPath>& paths) {
-  CellBox box = box_of_surroundings(map);
+// What of the paths is shown: poses that are numbers and not so far from the map, or else from the
+// first pose, that both cannot be seen in one picture.
+class Reach {
+ public:
+  Reach(const OccupancyMap& map, const CellBox& box, const std::vector<DrawnPath>& paths) {
+    if (!box.empty()) {
+      center_ = 0.5 * (map.frame().corner_of(box.min) + map.frame().corner_of(box.max));
+      const double side = std::max(box.width(), box.height()) * map.resolution();
+      farthest_ = std::max(kFarLeast, kFarTimes * side);
+      return;
+    }
+    for (const DrawnPath& path : paths) {
+      for (const Stamped<Pose2>& stamped : path.map_from_robot) {
+        const Eigen::Vector2d place = stamped.pose.position();
+        if (!(place.cwiseAbs().maxCoeff() < kFarLeast)) continue;
+        center_ = place;
+        return;
+      }
+    }
+  }
+
+  bool shows(const Eigen::Vector2d& place) const {
+    return (place - center_).cwiseAbs().maxCoeff() <= farthest_;  // false for NaN
+  }
+  int not_shown(const DrawnPath& path) const {
+    return static_cast<int>(
+        std::count_if(path.map_from_robot.begin(), path.map_from_robot.end(),
+                      [this](const auto& stamped) { return !shows(stamped.pose.position()); }));
+  }
+
+ private:
+  Eigen::Vector2d center_ = Eigen::Vector2d::Zero();  // [m]
+  double farthest_ = kFarLeast;                       // [m] in x and in y
+};
+
+CellBox box_around(const OccupancyMap& map, CellBox box, const std::vector<DrawnPath>& paths,
+                   const Reach& reach) {
   for (const DrawnPath& path : paths) {
     for (const Stamped<Pose2>& stamped : path.map_from_robot) {
+      if (!reach.shows(stamped.pose.position())) continue;
       const CellIndex cell = map.cell_of(stamped.pose.position());
       if (box.empty()) box = {cell, cell};
       box.min = {std::min(box.min.x, cell.x), std::min(box.min.y, cell.y)};
@@ -147,16 +185,22 @@ Rgb color_of_path(std::size_t path) {
   return categorical_color(static_cast<int>(path) + 1);  // 0 is black, as walls are
 }
 
+// Where the path leaves what is shown, it breaks off.
 void draw_path(RgbImage& image, const DrawnPath& path, const Rgb& color, double width,
-               const OccupancyMap& map, const Layout& layout) {
-  if (path.map_from_robot.empty()) return;
-  std::vector<Eigen::Vector2d> points;
+               const OccupancyMap& map, const Layout& layout, const Reach& reach) {
+  const Pen pen{.color = color, .width = width, .opacity = 0.9};
+  std::vector<std::vector<Eigen::Vector2d>> pieces(1);
   for (const Stamped<Pose2>& stamped : path.map_from_robot) {
-    points.push_back(pixel_of(stamped.pose.position(), map, layout));
+    if (reach.shows(stamped.pose.position())) {
+      pieces.back().push_back(pixel_of(stamped.pose.position(), map, layout));
+    } else if (!pieces.back().empty()) {
+      pieces.emplace_back();
+    }
   }
-  draw_polyline(image, points, {.color = color, .width = width, .opacity = 0.9});
-  fill_disc(image, points.front(), 6.5, kWhite);
-  fill_disc(image, points.front(), 5.0, kBlack);
+  for (const auto& piece : pieces) draw_polyline(image, piece, pen);
+  if (pieces.front().empty()) return;
+  fill_disc(image, pieces.front().front(), 6.5, kWhite);
+  fill_disc(image, pieces.front().front(), 5.0, kBlack);
 }
 
 // The largest of 1, 2, 5, 10, … m that is at most `longest` metres.
@@ -191,10 +235,12 @@ struct LegendItem {
   double width() const { return kSample + 8 + text_width(text, kTextSize) + 26; }
 };
 
-std::vector<LegendItem> legend_of(const std::vector<DrawnPath>& paths) {
+std::vector<LegendItem> legend_of(const std::vector<DrawnPath>& paths, const Reach& reach) {
   std::vector<LegendItem> items;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    items.push_back({LegendItem::Kind::line, color_of_path(i), paths[i].name});
+    const int far = reach.not_shown(paths[i]);
+    const std::string remark = far > 0 ? fmt::format(" ({} poses are far outside)", far) : "";
+    items.push_back({LegendItem::Kind::line, color_of_path(i), paths[i].name + remark});
   }
   if (!paths.empty()) items.push_back({LegendItem::Kind::disc, kBlack, "start"});
   items.push_back({LegendItem::Kind::area, kBlack, "occupied"});
@@ -238,9 +284,12 @@ std::vector<Eigen::Vector2d> places_of(const std::vector<LegendItem>& items, dou
 
 RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths,
                     const PictureOptions& options) {
-  const Layout layout = layout_of(box_around(map, paths), options.longest_side);
+  const CellBox surroundings = box_of_surroundings(map);
+  const Reach reach(map, surroundings, paths);
+  const Layout layout =
+      layout_of(box_around(map, surroundings, paths, reach), options.longest_side);
   const int width = std::max(layout.width(), kMinWidth);
-  const std::vector<LegendItem> items = legend_of(paths);
+  const std::vector<LegendItem> items = legend_of(paths, reach);
   const std::vector<Eigen::Vector2d> places = places_of(items, width);
   const int legend_height = static_cast<int>(places.back().y()) + 2 * kRowHeight;
 
@@ -248,7 +297,7 @@ RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths
   paste(image_of_blocks(map, layout), layout.pixels_per_cell, image, kMargin, kMargin);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const double line = 1.8 + 2.4 * static_cast<double>(paths.size() - 1 - i);
-    draw_path(image, paths[i], color_of_path(i), line, map, layout);
+    draw_path(image, paths[i], color_of_path(i), line, map, layout, reach);
   }
 
   const Eigen::Vector2d below(kMargin, layout.height() + 2 * kMargin + kRowHeight / 2);

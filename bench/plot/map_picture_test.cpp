@@ -1,6 +1,8 @@
 #include "bench/plot/map_picture.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <gmock/gmock.h>
 
@@ -52,6 +54,21 @@ TEST(MapPicture, StaysSmallHoweverLargeTheMapAndKeepsThinWalls) {
   const RgbImage image = picture_of(map, {}, {.longest_side = 500});
   EXPECT_LE(image.width(), 500 + 2 * kMargin);
   EXPECT_EQ(image.at(kMargin + 250, kMargin), kBlack) << "mean 0.5, maximum 1";
+}
+
+TEST(MapPicture, LeavesOutPosesThatAreFarAwayOrNoneAtAll) {
+  const double inf = std::numeric_limits<double>::infinity();
+  const Trajectory path{{0.0, {1.05, 2.05, 0}}, {1.0, {9.05, 2.05, 0}}};
+  Trajectory lost = path;
+  for (const double x : {1e9, -1e300, inf, std::nan("")}) lost.push_back({2.0, {x, 2.05, 0}});
+  const RgbImage with = picture_of(hall(), {{"estimate", path}});
+  const RgbImage image = picture_of(hall(), {{"estimate", lost}});
+  const int row = kMargin + (39 - 20) * kZoom + kZoom / 2;
+  for (const int x : {kMargin + 300, kMargin + 1000, kMargin + 1150}) {
+    EXPECT_EQ(image.at(x, row), with.at(x, row)) << x;
+  }
+  EXPECT_NE(image, with) << "the legend counts them";
+  EXPECT_GT(picture_of(OccupancyMap(0.05), {{"estimate", {{0.0, {1e9, 0, 0}}}}}).width(), 0);
 }
 
 TEST(MapPicture, LeavesOutTheFarEndOfABeamThatWentOutOfAWindow) {

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 
-#include "core/file/tokens.h"
+#include <fmt/format.h>
+
+#include "core/file/parse_number.h"
+#include "core/input_error.h"
 
 namespace mapbed {
 namespace {
+
+constexpr double kMostLevels = 1e6;
 
 // "2 deg" is 2 and "deg"; false where the text does not begin with a number.
 bool split_quantity(const std::string& text, double& number, std::string& unit) {
@@ -32,6 +37,12 @@ SweepAxis axis_of(const std::string& path, std::vector<std::string> texts) {
 }
 
 std::vector<Level> levels_of(const std::vector<SweepAxis>& axes) {
+  double count = 1.0;
+  for (const SweepAxis& axis : axes) count *= static_cast<double>(axis.texts.size());
+  if (count > kMostLevels) {
+    throw InputError(fmt::format(
+        "the sweep has {:.3g} levels, of {:.3g} at most; take fewer values", count, kMostLevels));
+  }
   std::vector<Level> levels{Level{}};
   for (const SweepAxis& axis : axes) {
     std::vector<Level> finer;

@@ -24,7 +24,7 @@ struct Level {
 // An axis of these values; with their numbers where they are numbers of one unit.
 SweepAxis axis_of(const std::string& path, std::vector<std::string> texts);
 
-// Every combination of the axes' values, the last axis fastest.
+// Every combination of the axes' values, the last axis fastest. InputError for more than a million.
 std::vector<Level> levels_of(const std::vector<SweepAxis>& axes);
 
 // "rotation sigma" of "robot.odometry.rotation_sigma": a name as people read it.

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "core/testing/throws_input_error.h"
+
 namespace mapbed {
 namespace {
 
@@ -24,6 +26,11 @@ TEST(Sweep, LevelsCountTheLastAxisFastest) {
   EXPECT_THAT(levels[3].choice, ElementsAre(1, 0));
   ASSERT_EQ(levels_of({}).size(), 1u);
   EXPECT_THAT(levels_of({})[0].choice, IsEmpty());
+}
+
+TEST(Sweep, RefusesMoreLevelsThanAnybodyCanRun) {
+  const std::vector<SweepAxis> axes(20, axis_of("a", {"1", "2", "3"}));  // 3^20
+  EXPECT_INPUT_ERROR(levels_of(axes), "the sweep has 3.49e+09 levels, of 1e+06 at most");
 }
 
 TEST(Sweep, APathIsReadAsWords) {

@@ -3,12 +3,12 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "core/check.h"
 #include "core/file/csv_file.h"
 #include "core/file/hash.h"
 #include "core/file/text_file.h"
@@ -39,10 +39,12 @@ std::string line_of(const Journal::Entry& entry) {
   return csv_line(row);
 }
 
-Journal::Entry entry_of(const CsvRow& row) {
+// None where somebody wrote something else, whatever the checksum.
+std::optional<Journal::Entry> entry_of(const CsvRow& row) {
   Journal::Entry entry;
-  // The line's checksum vouches for its numbers.
-  CHECK(parse_number(row[0], entry.row.run) && parse_number(row[1], entry.row.seed));
+  const bool has_run = parse_number(row[0], entry.row.run);
+  const bool has_seed = parse_number(row[1], entry.row.seed);
+  if (!has_run || !has_seed || entry.row.run < 0) return std::nullopt;
   entry.cost.run = entry.row.run;
   entry.cost.seconds = parse_csv_number(row[2]);
   entry.cost.recording_seconds = parse_csv_number(row[3]);
@@ -106,7 +108,8 @@ void Journal::read(const std::string& text, const std::string& identity, std::si
       throw InputError({path_}, "these unfinished runs are of another configuration or program",
                        "--restart throws them away, --out chooses another folder");
     }
-    if (row.size() == kFixedFields + metrics) found_.push_back(entry_of(row));
+    const auto entry = row.size() == kFixedFields + metrics ? entry_of(row) : std::nullopt;
+    if (entry) found_.push_back(*entry);
   }
   if (ftruncate(file_, size_) != 0) {
     throw InputError({path_}, std::string("cannot be written: ") + std::strerror(errno));

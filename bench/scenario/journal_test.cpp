@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "bench/process/folder_lock.h"
+#include "core/file/hash.h"
 #include "core/file/text_file.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
@@ -37,6 +38,16 @@ TEST(Journal, ATornLineDoesNotCountWhereverItWasCut) {
     journal.append(entry(7, 0.3));  // goes on behind the last whole line
   }
   EXPECT_EQ(Journal(path, "identity", 1).found().back().row.run, 7);
+}
+
+TEST(Journal, ALineOfSomethingElseDoesNotCountEvenWithTheRightChecksum) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("journal");
+  { Journal journal(path, "identity", 1); }
+  for (const std::string line : {"x,9,,,,,,,0.1\n", "-1,9,,,,,,,0.1\n", "3,9,,,,,,\n"}) {
+    std::ofstream(path, std::ios::app) << sha256(line).substr(0, 16) + "," + line;
+    EXPECT_TRUE(Journal(path, "identity", 1).found().empty()) << line;
+  }
 }
 
 TEST(Journal, RunsOfAnotherConfigurationAreNotMixedIn) {

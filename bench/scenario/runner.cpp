@@ -14,6 +14,7 @@
 #include "bench/process/process_cost.h"
 #include "bench/process/thread_limit.h"
 #include "core/check.h"
+#include "core/failure_text.h"
 
 namespace mapbed {
 namespace {
@@ -89,7 +90,7 @@ OpenedLogs opened_logs(const ScenarioPlan& plan, const RunRow& row) {
   } catch (const InputChanged&) {
     throw;
   } catch (const std::exception& error) {
-    logs.failure = one_line(error.what());
+    logs.failure = one_line(failure_text(error));
   }
   logs.seconds = processor_time() - start;
   return logs;
@@ -131,7 +132,7 @@ class Runner {
     } catch (const InputChanged&) {
       throw;
     } catch (const std::exception& error) {
-      return failed(run, one_line(error.what()));
+      return failed(run, one_line(failure_text(error)));
     }
     RunResult result{.row = row, .files = std::move(outcome.files)};
     result.row.failure = std::move(outcome.failure);

@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kDeepestBase = 8;  // files that build on each other
+constexpr Bounds kSeeds = between(1, 100'000);
 
 // What --quick makes less of.
 struct QuickRules {
@@ -73,10 +74,10 @@ std::vector<Variant> variants_of(const ConfigNode& node) {
 QuickRules quick_rules_of(const ConfigNode& node) {
   QuickRules rules;
   if (const ConfigNode* seeds = node.find("seeds")) {
-    rules.seeds = seeds->whole_number(at_least(1));
+    rules.seeds = seeds->whole_number(kSeeds);
   }
   if (const ConfigNode* levels = node.find("levels")) {
-    rules.levels = levels->whole_number(at_least(1));
+    rules.levels = levels->whole_number(between(1, 1000));
   }
   if (const ConfigNode* set = node.find("set")) rules.settings = settings_of(*set);
   if (const ConfigNode* judges = node.find("judges")) rules.judges = judges->flag();
@@ -116,7 +117,7 @@ void read_form(const ConfigNode& file, Reading& into) {
   }
   if (const ConfigNode* compare = file.find("compare")) scenario.variants = variants_of(*compare);
   if (const ConfigNode* seeds = file.find("seeds")) {
-    scenario.seeds = seeds->whole_number(between(1, 100'000));
+    scenario.seeds = seeds->whole_number(kSeeds);
   }
   if (const ConfigNode* seed = file.find("seed")) scenario.seed = seed->unsigned_number();
   if (const ConfigNode* metrics = file.find("metrics")) {
@@ -190,7 +191,7 @@ void apply_choice(const ScenarioChoice& choice, Scenario& scenario) {
                                                     : axis_of(setting.path, {setting.text});
       axis->place = setting.place;
     } else if (setting.path == "seeds") {
-      scenario.seeds = ConfigNode(setting.text, setting.place).whole_number(between(1, 100'000));
+      scenario.seeds = ConfigNode(setting.text, setting.place).whole_number(kSeeds);
     } else if (setting.path == "experiment") {
       scenario.experiment = setting.text;
       scenario.experiment_place = setting.place;

@@ -35,7 +35,7 @@ SimulationPlan simulation_plan(const Settings& settings) {
     } else if (setting.path == "driver") {
       plan.driver = setting.text;
     } else if (setting.path == "people") {
-      plan.people = ConfigNode(setting.text, setting.place).whole_number(at_least(0));
+      plan.people = ConfigNode(setting.text, setting.place).whole_number(between(0, 5000));
     } else {
       plan.settings.push_back(setting);
     }

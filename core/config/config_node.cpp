@@ -104,12 +104,12 @@ const std::string& ConfigNode::text() const {
 
 double ConfigNode::number(Unit unit, const Bounds& bounds) const {
   const double value = parse_quantity(text(), unit, place_);
-  check_bounds(value, unit, bounds, text_, place_);
+  check_bounds(value, unit, finite_bounds(unit, bounds), text_, place_);
   return value;
 }
 
 int ConfigNode::whole_number(const Bounds& bounds) const {
-  return parse_integer<int>(text(), bounds, place_);
+  return parse_integer<int>(text(), finite_bounds(Unit::none, bounds), place_);
 }
 
 std::uint64_t ConfigNode::unsigned_number(const Bounds& bounds) const {

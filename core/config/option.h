@@ -25,6 +25,10 @@ using OptionValue =
     std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*,
                  std::vector<int>*, std::vector<std::string>*, Choice>;
 
+// The same with an end where `bounds` name none: the largest values of the unit that make sense, as
+// 10 km, so that no number is so large that work with it never ends. Seeds may be any number.
+Bounds finite_bounds(Unit unit, const Bounds& bounds);
+
 // One option of a struct, by reference: path, place in memory, unit, bounds and meaning. Reading,
 // writing, sweeping by dotted path, describing and rejecting unknown keys all work on a list of
 // these. Default values are finite and within their bounds.

@@ -11,6 +11,8 @@
 namespace mapbed {
 namespace {
 
+constexpr std::size_t kMostMemory = std::size_t{1} << 30;  // [bytes] of parsed fields
+
 std::string quoted(const std::string& field) {
   if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
   std::string text = "\"";
@@ -62,9 +64,13 @@ std::string csv_text(const std::vector<CsvRow>& rows) {
 
 std::vector<CsvRow> parse_csv(const std::string& name, std::string_view text) {
   std::vector<CsvRow> rows;
+  std::size_t memory = 0;
   for (long line = 1; !text.empty();) {
     const SourceLocation place{name, line};
     rows.push_back(next_row(text, name, line));
+    memory += 2 * sizeof(CsvRow) + rows.back().size() * sizeof(std::string);
+    if (memory > kMostMemory)
+      throw InputError(place, "the table up to here takes more than 1 GB", "is it one of ours?");
     if (rows.back().size() != rows.front().size()) {
       throw InputError(place, fmt::format("{} fields where the first line has {}",
                                           rows.back().size(), rows.front().size()));

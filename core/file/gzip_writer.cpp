@@ -13,8 +13,9 @@ namespace mapbed {
 struct GzipWriter::State {
   explicit State(const std::string& path) : file(path) {
     // 15 is the longest window, 16 more ask for gzip's header, without name and time of the file.
-    CHECK(deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, 15 + 16, 8,
-                       Z_DEFAULT_STRATEGY) == Z_OK);
+    const int code =
+        deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
+    CHECK(code == Z_OK);
   }
   ~State() { deflateEnd(&stream); }
 
@@ -25,7 +26,8 @@ struct GzipWriter::State {
     do {
       stream.next_out = reinterpret_cast<Bytef*>(packed.data());
       stream.avail_out = static_cast<uInt>(packed.size());
-      CHECK(deflate(&stream, flush) != Z_STREAM_ERROR);
+      const int code = deflate(&stream, flush);
+      CHECK(code != Z_STREAM_ERROR);
       file.stream().write(packed.data(),
                           static_cast<std::streamsize>(packed.size() - stream.avail_out));
     } while (stream.avail_out == 0);

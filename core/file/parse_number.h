@@ -47,6 +47,10 @@ inline const char* read_number(const char* text, const char* end, double& value)
   return error == std::errc() ? rest : nullptr;
 }
 
+// The same of what read_number() does not take and programs write all the same: a plus in front,
+// and infinity and NaN as YAML has them (".inf", "-.Inf", ".nan").
+const char* read_odd_number(const char* text, const char* end, double& value);
+
 // A finite number that fills the whole word, with or without a sign; false where the word is
 // anything else.
 bool parse_number(std::string_view word, double& number);

@@ -40,6 +40,11 @@ TEST_F(TextFile, ReadsPlainAndPackedAlike) {
   EXPECT_EQ(read_text_file(packed(path("packed"), "one\ntwo\n")), "one\ntwo\n");
 }
 
+TEST_F(TextFile, ReadsPastTheMarkThatSomeEditorsPutInFront) {
+  std::ofstream(path("marked")) << "\xef\xbb\xbfone\n";
+  EXPECT_EQ(read_text_file(path("marked")), "one\n");
+}
+
 TEST_F(TextFile, RefusesWhatIsNoFile) {
   EXPECT_THAT(message_of(path("absent")), HasSubstr("text_absent: no such file"));
   EXPECT_THAT(message_of(::testing::TempDir()), HasSubstr("is a folder, not a file"));

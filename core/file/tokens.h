@@ -33,6 +33,11 @@ class Tokens {
     skip_blanks();
     return at_ == end_;
   }
+  // Where ok() is false: the word that is not what was asked for; empty where the line ended.
+  std::string_view wrong() const {
+    std::string_view left = rest();
+    return next_word(left);
+  }
   std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
   std::string_view word() {
@@ -46,7 +51,8 @@ class Tokens {
   double number() {
     skip_blanks();
     double value = 0.0;
-    const char* const rest = ok_ && at_ != end_ ? read_number(at_, end_, value) : nullptr;
+    const char* rest = ok_ && at_ != end_ ? read_number(at_, end_, value) : nullptr;
+    if (rest == nullptr && ok_ && at_ != end_) rest = read_odd_number(at_, end_, value);
     if (rest == nullptr || (rest != end_ && !is_blank(*rest))) {
       ok_ = false;
       return 0.0;

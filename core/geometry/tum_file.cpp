@@ -14,6 +14,8 @@
 namespace mapbed {
 namespace {
 
+constexpr std::size_t kLargestFile = std::size_t{1}
+                                     << 27;  // [bytes] poses take up to eight times it
 constexpr const char* kLines = "lines are `t x y z qx qy qz qw` or `t x y theta`";
 
 std::vector<double> numbers_of(std::string_view line, const SourceLocation& place) {
@@ -57,7 +59,7 @@ Trajectory parse_trajectory(const std::string& name, std::string_view text) {
 }
 
 Trajectory load_trajectory(const std::string& path) {
-  return parse_trajectory(path, read_text_file(path));
+  return parse_trajectory(path, read_text_file(path, kLargestFile));
 }
 
 std::string tum_text(const Trajectory& trajectory) {

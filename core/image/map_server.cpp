@@ -35,7 +35,7 @@ bool truth_of(const ConfigNode& node) {
 }
 
 Pose2 pose_of(const ConfigNode& origin) {
-  const std::vector<double> pose = origin.numbers();
+  const std::vector<double> pose = origin.numbers(Unit::none, between(-1e8, 1e8));
   if (pose.size() != 3) {
     throw InputError(origin.place(), fmt::format("origin has {} numbers", pose.size()),
                      "it needs x, y and yaw, as in [-10.0, -10.0, 0.0]");
@@ -120,7 +120,7 @@ MapServerFile read_map_server_file(const std::string& yaml_path) {
   const ConfigNode& image = file.at("image");
   map.image = (fs::path(yaml_path).parent_path() / image.text()).string();
   map.image_place = image.place();
-  map.resolution = file.at("resolution").number(Unit::none, kPositive);
+  map.resolution = file.at("resolution").number(Unit::none, between(1e-4, 1000.0));
   map.map_from_image = pose_of(file.at("origin"));
   const ConfigNode* mode = file.find("mode");
   if (mode != nullptr) {

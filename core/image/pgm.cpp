@@ -10,7 +10,7 @@ namespace mapbed {
 namespace {
 
 constexpr long kLongestSide = 1 << 20;
-constexpr long kMostPixels = 1L << 27;
+constexpr long kMostPixels = 1L << 26;
 
 // Reads numbers between blanks and comments, which go from '#' to the end of the line.
 class NumberReader {

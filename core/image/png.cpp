@@ -11,7 +11,7 @@
 namespace mapbed {
 namespace {
 
-constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 27;
+constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
 
 template <class Pixel>
 constexpr png_uint_32 kFormat = sizeof(Pixel) == 1 ? PNG_FORMAT_GRAY : PNG_FORMAT_RGB;

@@ -18,7 +18,7 @@ void write_png(const std::string& path, const GrayImage& image);
 void write_png(const std::string& path, const RgbImage& image);
 
 // Any kind of PNG; 8 or 16 bits a channel come out. Throws InputError where the bytes are no PNG,
-// damaged, cut short or more than 2^27 pixels; `name` stands in errors.
+// damaged, cut short or more than 2^26 pixels; `name` stands in errors.
 Samples samples_from_png(std::string_view png, const std::string& name);
 
 }  // namespace mapbed

@@ -28,7 +28,7 @@ struct Samples {
 
 // Any PNG (palettes become colours) and PGM (P2 and P5, up to 16 bits), told apart by their first
 // bytes, whatever the file is called. Throws InputError where it is neither, damaged, cut short or
-// larger than 2^27 pixels.
+// larger than 2^26 pixels.
 Samples read_samples(const std::string& path);
 
 // The same from bytes; `name` stands in errors.

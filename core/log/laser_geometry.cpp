@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <variant>
 
 #include "core/file/tokens.h"
 #include "core/geometry/angle.h"
@@ -45,6 +47,17 @@ double usual_step(std::size_t beams) {
 // An even number of beams is one cut off an odd one: 180 of 181.
 double usual_first(std::size_t beams, double step) {
   return -0.5 * step * static_cast<double>(beams % 2 == 0 ? beams : beams - 1);
+}
+
+double stated_max_range(const RecordedLog& log, int laser) {
+  const LaserParameterNames names = parameter_names_of(laser);
+  for (const std::string& name : {names.max_range, names.bearings + "max_range"}) {
+    const auto found = log.parameters.find(name);
+    if (found == log.parameters.end()) continue;
+    double value = 0.0;
+    if (parse_number(found->second, value) && value > 0.0 && value <= kAbsurdRange) return value;
+  }
+  return 0.0;
 }
 
 // A pile of equal readings at the upper end of the scale.
@@ -145,6 +158,36 @@ double max_range_of(const std::vector<const LaserScan*>& scans, double stated) {
   for (const double usual : {8.0, 16.0, 30.0, 50.0, 81.83})
     if (top < usual) return usual;
   return std::nextafter(top, INFINITY);
+}
+
+void replace_stated_bearings(LaserScan& scan, const LogOptions& options) {
+  if (options.field_of_view > 0.0) {
+    scan.first_bearing = -0.5 * options.field_of_view;
+    if (scan.ranges.size() > 1)
+      scan.bearing_step = options.field_of_view / static_cast<double>(scan.ranges.size() - 1);
+  }
+  if (options.bearing_step != 0.0) scan.bearing_step = options.bearing_step;
+  if (!options.first_bearing.empty()) scan.first_bearing = options.first_bearing[0];
+}
+
+void complete_max_range(RecordedLog& log, const LogOptions& options) {
+  std::map<int, std::vector<const LaserScan*>> scans_of;
+  for (const Measurement& m : log.measurements)
+    if (const auto* scan = std::get_if<LaserScan>(&m)) scans_of[scan->laser].push_back(scan);
+  std::map<int, double> max_of;
+  for (const auto& [laser, scans] : scans_of) {
+    double stated = scans.front()->max_range;
+    for (const LaserScan* scan : scans) stated = std::max(stated, scan->max_range);
+    if (stated == 0.0) stated = stated_max_range(log, laser);
+    max_of[laser] = options.max_range > 0.0 ? options.max_range : max_range_of(scans, stated);
+  }
+  for (Measurement& m : log.measurements) {
+    auto* scan = std::get_if<LaserScan>(&m);
+    if (scan == nullptr) continue;
+    scan->max_range = max_of[scan->laser];
+    for (double& r : scan->ranges)
+      if (std::isinf(r)) r = scan->max_range;
+  }
 }
 
 }  // namespace mapbed

@@ -10,6 +10,8 @@
 
 namespace mapbed {
 
+inline constexpr double kAbsurdRange = 1000.0;  // [m] no laser of a robot reaches farther
+
 // What CARMEN's parameters of a laser begin with, or are called. Two have names, front (0) and rear
 // (1); further ones are laser3, laser4, … as in ROBOTLASER3.
 struct LaserParameterNames {
@@ -51,5 +53,12 @@ Pose2 mount_of(int laser, const RecordedLog& log, const LogOptions& options);
 // Where neither is there, all readings count as hits and the next of 8, 16, 30, 50, 81.83 m above
 // them is the maximum range.
 double max_range_of(const std::vector<const LaserScan*>& scans, double stated);
+
+// The same for all scans of a log, laser by laser; infinite readings become the maximum range.
+void complete_max_range(RecordedLog& log, const LogOptions& options);
+
+// Of a scan whose line states its geometry: each option replaces its own quantity alone. Only a
+// field of view is both, the first bearing and the step.
+void replace_stated_bearings(LaserScan& scan, const LogOptions& options);
 
 }  // namespace mapbed

@@ -14,7 +14,20 @@
 namespace mapbed {
 namespace {
 
-constexpr double kAbsurdRange = 1000.0;  // [m]
+constexpr double kLatestTime = 1e12;  // [s]
+
+// [bytes] With room for a list that grows, and for a second copy of the ranges.
+constexpr std::size_t kMeasurementMemory = 2 * sizeof(Measurement);
+constexpr std::size_t kRangeMemory = 2 * sizeof(double);
+constexpr std::size_t kParameterMemory = 150;
+
+// The unit in which a number of this size is a stamp of 2001 to 2286; empty: none.
+std::string unit_of_stamp(double stamp) {
+  if (stamp >= 1e12 && stamp < 1e13) return "milliseconds";
+  if (stamp >= 1e15 && stamp < 1e16) return "microseconds";
+  if (stamp >= 1e18 && stamp < 1e19) return "nanoseconds";
+  return {};
+}
 
 void check_options(const LogOptions& o) {
   const auto refuse = [](const std::string& name, const std::string& what) {
@@ -36,37 +49,6 @@ void check_options(const LogOptions& o) {
 
 bool earlier(const Measurement& a, const Measurement& b) {
   return time_of(a) < time_of(b);
-}
-
-double stated_max_range(const RecordedLog& log, int laser) {
-  const LaserParameterNames names = parameter_names_of(laser);
-  for (const std::string& name : {names.max_range, names.bearings + "max_range"}) {
-    const auto found = log.parameters.find(name);
-    if (found == log.parameters.end()) continue;
-    double value = 0.0;
-    if (parse_number(found->second, value) && value > 0.0 && value <= kAbsurdRange) return value;
-  }
-  return 0.0;
-}
-
-void complete_max_range(RecordedLog& log, const LogOptions& options) {
-  std::map<int, std::vector<const LaserScan*>> scans_of;
-  for (const Measurement& m : log.measurements)
-    if (const auto* scan = std::get_if<LaserScan>(&m)) scans_of[scan->laser].push_back(scan);
-  std::map<int, double> max_of;
-  for (const auto& [laser, scans] : scans_of) {
-    double stated = scans.front()->max_range;
-    for (const LaserScan* scan : scans) stated = std::max(stated, scan->max_range);
-    if (stated == 0.0) stated = stated_max_range(log, laser);
-    max_of[laser] = options.max_range > 0.0 ? options.max_range : max_range_of(scans, stated);
-  }
-  for (Measurement& m : log.measurements) {
-    auto* scan = std::get_if<LaserScan>(&m);
-    if (scan == nullptr) continue;
-    scan->max_range = max_of[scan->laser];
-    for (double& r : scan->ranges)
-      if (std::isinf(r)) r = scan->max_range;
-  }
 }
 
 // All scans at one time: the stamps were lost.
@@ -121,23 +103,54 @@ LogBuilder::LogBuilder(std::string name, const LogOptions& options)
   check_options(options);
 }
 
-void LogBuilder::warn(long line, const std::string& reason) {
+void LogBuilder::warn(long line, const std::string& reason, const std::string& example) {
   const auto [found, is_new] = warning_of_reason_.try_emplace(reason, log_.warnings.size());
   if (is_new)
-    log_.warnings.push_back({{name_, line}, reason, 1});
+    log_.warnings.push_back({{name_, line}, reason + example, 1});
   else
     ++log_.warnings[found->second].count;
 }
 
-void LogBuilder::broken(long line, const std::string& reason) {
-  if (broken_++ == 0) first_broken_ = {{name_, line}, reason, 1};
-  warn(line, reason);
+void LogBuilder::leave_out(long line, const std::string& reason, const std::string& example) {
+  if (broken_++ == 0) first_broken_ = {{name_, line}, reason + example, 1};
+  warn(line, reason, example);
+}
+
+void LogBuilder::broken(long line, const std::string& reason, const std::string& example) {
+  ++messages_;
+  leave_out(line, reason, example);
+}
+
+void LogBuilder::garbled(long line, const std::string& kind, const Tokens& tokens) {
+  std::string_view word = tokens.wrong();
+  double number = 0.0;
+  if (parse_number(word, number)) word = {};  // of which there are too few or too many
+  const bool has_comma =
+      word.find(',') != word.npos && word.find_first_not_of("0123456789,+-eE") == word.npos;
+  if (has_comma && broken_ == 0) remedy_ = "write decimals with a point";
+  const std::string example =
+      word.empty() ? "" : in_quotes(word) + (has_comma ? " has a decimal comma" : " is no number");
+  broken(line, "truncated or garbled " + kind + ": left out",
+         example.empty() ? "" : ", " + example);
+}
+
+// What is kept must fit into memory, however little text says it.
+void LogBuilder::account(std::size_t bytes, long line) {
+  memory_ += static_cast<double>(bytes);
+  if (memory_ > options_.max_text)
+    throw InputError({name_, line},
+                     fmt::format("the measurements up to here take more than {:.0f} MB",
+                                 options_.max_text / 1e6),
+                     "raise log.max_text if the file is to be trusted");
 }
 
 bool LogBuilder::stamp_is_usable(double time, long line) {
   ++messages_;
-  if (!std::isfinite(time) || std::abs(time) > 1e12) {
-    broken(line, "time stamp that is not a time: line left out");
+  if (!std::isfinite(time) || std::abs(time) > kLatestTime) {
+    const std::string unit = unit_of_stamp(time);
+    if (broken_ == 0 && !unit.empty()) remedy_ = "write stamps in seconds";
+    leave_out(line, "time stamp that is not a time: line left out",
+              unit.empty() ? "" : fmt::format(", {:.0f} looks like {}", time, unit));
     return false;
   }
   if (newest_ - time > options_.reorder_within) {
@@ -174,17 +187,18 @@ void LogBuilder::add(Odometry odometry, long line) {
   if (!stamp_is_usable(odometry.time, line)) return;
   const Pose2& pose = odometry.odometry_from_robot;
   if (!is_finite(pose) || std::abs(pose.x) > 1e7 || std::abs(pose.y) > 1e7) {
-    broken(line, "odometry that is not a pose: left out");
+    leave_out(line, "odometry that is not a pose: left out");
     return;
   }
   odometry.odometry_from_robot.theta = normalized_angle(pose.theta);
+  account(kMeasurementMemory, line);
   log_.measurements.emplace_back(odometry);
 }
 
 void LogBuilder::add(LaserScan scan, long line) {
   if (!stamp_is_usable(scan.time, line)) return;
   if (scan.ranges.empty()) {
-    broken(line, "scan without beams: left out");
+    leave_out(line, "scan without beams: left out");
     return;
   }
   clean_ranges(scan, line);
@@ -195,6 +209,7 @@ void LogBuilder::add(LaserScan scan, long line) {
   last->second = {scan.time, scan.ranges.size()};
   first_line_of_beams_.try_emplace(scan.ranges.size(), line);
   ++scans_;
+  account(kMeasurementMemory + kRangeMemory * (scan.ranges.size() + scan.remissions.size()), line);
   log_.measurements.emplace_back(std::move(scan));
 }
 
@@ -210,12 +225,29 @@ void LogBuilder::add_true_pose(const Stamped<Pose2>& pose, long line) {
     broken(line, "true pose that is not a pose: left out");
     return;
   }
+  account(2 * sizeof pose, line);
   log_.true_poses.push_back(pose);
   log_.true_poses.back().pose.theta = normalized_angle(pose.pose.theta);
 }
 
-void LogBuilder::set_parameter(std::string name, std::string value) {
+void LogBuilder::set_parameter(std::string name, std::string value, long line) {
+  account(kParameterMemory + name.size() + value.size(), line);
   log_.parameters[std::move(name)] = std::move(value);
+}
+
+void LogBuilder::refuse_unknown_scans(const std::map<std::size_t, long>& scans_of_beams) const {
+  std::string counts;
+  for (const auto& [beams, count] : scans_of_beams) {
+    if (counts.size() > 60) {
+      counts += ", …";
+      break;
+    }
+    counts += (counts.empty() ? "" : ", ") + std::to_string(beams);
+  }
+  throw InputError(
+      {name_, first_line_of_beams_.at(scans_of_beams.begin()->first)},
+      fmt::format("holds {} scans of {} beams, whose fields of view are not known", scans_, counts),
+      "set field_of_view, or bearing_step");
 }
 
 // What the lines left open. Scans of which the bearings are not known are left out, unless they are
@@ -232,7 +264,10 @@ void LogBuilder::complete_geometry() {
         scan->laser == 1 ? options_.robot_from_rear_laser : options_.robot_from_laser;
     if (std::isnan(scan->robot_from_laser.planar.x) || (scan->laser <= 1 && !mount.empty()))
       scan->robot_from_laser.planar = geometry.mount(scan->laser);
-    if (scan->bearing_step != 0.0 && !given) return false;
+    if (scan->bearing_step != 0.0) {
+      if (given) replace_stated_bearings(*scan, options_);
+      return false;
+    }
     const auto& bearings = geometry.bearings(scan->laser, scan->ranges.size());
     if (!bearings) {
       ++unknown[scan->ranges.size()];
@@ -242,6 +277,9 @@ void LogBuilder::complete_geometry() {
     scan->bearing_step = bearings->step;
     return false;
   });
+  long left = scans_;
+  for (const auto& [beams, count] : unknown) left -= count;
+  if (left == 0 && unknown.size() > 1) refuse_unknown_scans(unknown);
   for (const auto& [beams, count] : unknown) {
     const long line = first_line_of_beams_.at(beams);
     const std::string reason = fmt::format("the field of view of {} beams is not known", beams);
@@ -258,11 +296,11 @@ void LogBuilder::check_counts() const {
   if (!any && broken_ == 0)
     throw InputError({name_}, "holds no laser scan",
                      "a map needs lines such as FLASER or ROBOTLASER1");
-  if (!any || (broken_ > 1 && 10 * broken_ > messages_ + broken_))
-    throw InputError(first_broken_.place,
-                     fmt::format("{} ({} of {} messages are broken)", first_broken_.reason, broken_,
-                                 messages_ + broken_),
-                     "the file is damaged or not of this format; fetch it again");
+  if (!any || (broken_ > 1 && 10 * broken_ > messages_))
+    throw InputError(
+        first_broken_.place,
+        fmt::format("{} ({} of {} messages are broken)", first_broken_.reason, broken_, messages_),
+        remedy_.empty() ? "the file is damaged or not of this format; fetch it again" : remedy_);
 }
 
 RecordedLog LogBuilder::finish(const std::string& format) {

@@ -10,6 +10,8 @@
 
 namespace mapbed {
 
+class Tokens;
+
 // Collects what a dialect's reader finds line by line, watches the stamps and ranges, and completes
 // the scans at the end: geometry that the lines did not have, maximum range, order of time.
 //
@@ -27,10 +29,13 @@ class LogBuilder {
   void add(Odometry odometry, long line);
   void add(LaserScan scan, long line);
   void add_true_pose(const Stamped<Pose2>& pose, long line);
-  void set_parameter(std::string name, std::string value);
-  void broken(long line, const std::string& reason);  // a message was left out
-  void warn(long line, const std::string& reason);    // a message was read, with a remark
-  void forget_scans();                                // all so far
+  void set_parameter(std::string name, std::string value, long line);
+  // A message was left out; `example`, of the first one of its kind, is part of the remark.
+  void broken(long line, const std::string& reason, const std::string& example = {});
+  void garbled(long line, const std::string& kind, const Tokens& tokens);  // FLASER: not ok() there
+  // A message was read, with a remark.
+  void warn(long line, const std::string& reason, const std::string& example = {});
+  void forget_scans();  // all so far
   long scans() const { return scans_; }
 
   RecordedLog finish(const std::string& format);  // throws InputError
@@ -42,7 +47,10 @@ class LogBuilder {
   };
 
   bool stamp_is_usable(double time, long line);
+  void leave_out(long line, const std::string& reason, const std::string& example = {});
+  void account(std::size_t bytes, long line);
   void clean_ranges(LaserScan& scan, long line);
+  [[noreturn]] void refuse_unknown_scans(const std::map<std::size_t, long>& scans_of_beams) const;
   void complete_geometry();
   void check_counts() const;
 
@@ -55,10 +63,12 @@ class LogBuilder {
   double newest_ = -1e300;  // [s]
   bool out_of_order_ = false;
   long line_gone_back_ = 0;  // the last message's, where its stamp was far too old
-  long messages_ = 0;
+  double memory_ = 0.0;      // [bytes]
+  long messages_ = 0;        // broken ones among them
   long scans_ = 0;
   long broken_ = 0;
   LogWarning first_broken_;
+  std::string remedy_;  // of the first one
 };
 
 }  // namespace mapbed

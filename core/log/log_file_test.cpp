@@ -69,7 +69,7 @@ TEST(BadLog, ATruncatedLineIsLeftOutAndNamed) {
 
 TEST(BadLog, OneOfManyBrokenLinesInTheMiddleIsLeftOut) {
   EXPECT_EQ(warnings_of(good_lines(12) + "FLASER 3 1 x 3 0 0 0 0 0 0 22 h 0\n" + good_lines(9, 30)),
-            "a.log:13: truncated or garbled FLASER line: left out\n");
+            "a.log:13: truncated or garbled FLASER line: left out, 'x' is no number\n");
   EXPECT_EQ(warnings_of(good_lines(12) + "ODOM 1 2\n" + good_lines(9, 30)),
             "a.log:13: truncated or garbled ODOM line: left out\n");
   EXPECT_EQ(warnings_of(good_lines(12) + "\x01\x02 1 2\n" + good_lines(9, 30)),
@@ -80,6 +80,66 @@ TEST(BadLog, ALogOfManyBrokenLinesIsRefused) {
   EXPECT_EQ(message_of(good_lines(3) + "FLASER 9 1\nFLASER 9 1\n"),
             "a.log:4: truncated or garbled FLASER line: left out (2 of 8 messages are broken); the "
             "file is damaged or not of this format; fetch it again");
+}
+
+TEST(BadLog, ADecimalCommaIsNamedWithItsField) {
+  std::string text;
+  for (int i = 0; i < 4; ++i) text += "FLASER 3 2.5 2,4 2.5 0 0 0 0 0 0 17 h 17\n";
+  EXPECT_EQ(
+      message_of(text),
+      "a.log:1: truncated or garbled FLASER line: left out, '2,4' has a decimal comma (4 of 4 "
+      "messages are broken); write decimals with a point");
+}
+
+TEST(BadLog, StampsInAnotherUnitAreNamedByIt) {
+  const auto message = [](const std::string& stamp) {
+    return message_of(stamp + " 2 3 3\n" + stamp + " 2 3 3\n");
+  };
+  EXPECT_EQ(message("1600000000000000000"),
+            "a.log:1: time stamp that is not a time: line left out, 1600000000000000000 looks like "
+            "nanoseconds (2 of 2 messages are broken); write stamps in seconds");
+  EXPECT_THAT(message("1600000000000000"), HasSubstr("looks like microseconds"));
+  EXPECT_THAT(message("1600000000000"), HasSubstr("looks like milliseconds"));
+}
+
+TEST(BadLog, ScansOfSeveralUnknownCountsAreToldWithTheirCounts) {
+  const std::string text = "1 2 3 3\n2 3 3 3 3\n3 4 3 3 3 3\n4 2 3 3\n5 3 3 3 3\n6 4 3 3 3 3\n";
+  EXPECT_EQ(message_of(text),
+            "a.log:1: holds 6 scans of 2, 3, 4 beams, whose fields of view are not known; set "
+            "field_of_view, or bearing_step");
+}
+
+TEST(Log, TakesInfinityAsYamlAndAsPeopleWriteIt) {
+  const RecordedLog log = parse_log(
+      "a.log", "# angle_min -1 angle_increment 0.5 range_max 12\n1 5 2 .inf +inf -.inf +3.5\n");
+  EXPECT_EQ(scans_of(log)[0].ranges, (std::vector<double>{2, 12, 12, 0, 3.5}));
+}
+
+TEST(Log, AnOptionReplacesItsOwnQuantityOfAScanThatStatesItsGeometry) {
+  const std::string line =
+      "ROBOTLASER1 0 -3 5 0.5 12 0.01 0 3 1 2 3 0 0 0 0 0 0 0 0 0 0 0 0 17 h 17\n";
+  const auto scan = [&line](const LogOptions& options) {
+    return scans_of(parse_log("a.log", line, options))[0];
+  };
+  const auto geometry = [](const LaserScan& s) {
+    return std::pair(s.first_bearing, s.bearing_step);
+  };
+  EXPECT_EQ(geometry(scan({.first_bearing = {-3.0}})), geometry(scan({})));
+  EXPECT_EQ(geometry(scan({.first_bearing = {0.0}})), std::pair(0.0, 0.5));
+  EXPECT_EQ(geometry(scan({.bearing_step = 0.25})), std::pair(-3.0, 0.25));
+  EXPECT_EQ(geometry(scan({.field_of_view = 2.0})), std::pair(-1.0, 1.0));
+}
+
+TEST(BadLog, WhatTakesMoreMemoryThanTextIsRefusedByItsMemory) {
+  std::string text = good_lines(1);
+  for (int i = 0; i < 1000; ++i) text += "ODOM 0 0 0 0 0 0 1" + std::to_string(1000 + i) + "\n";
+  const double enough = 1000.0 * 2 * sizeof(Measurement) + 1e5;
+  EXPECT_EQ(parse_log("a.log", text, {.max_text = enough}).measurements.size(), 1002u);
+  EXPECT_THROW(parse_log("a.log", text, {.max_text = static_cast<double>(text.size())}),
+               InputError);
+  std::string parameters;
+  for (int i = 0; i < 1000; ++i) parameters += "PARAM " + std::to_string(i) + " 0\n";
+  EXPECT_THROW(parse_log("a.log", parameters + good_lines(1), {.max_text = 5e4}), InputError);
 }
 
 TEST(BadLog, AnEmptyLogIsRefused) {

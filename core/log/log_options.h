@@ -20,11 +20,12 @@ struct WheelGeometry {
 
 template <class Visitor>
 void visit_fields(WheelGeometry& o, Visitor&& visit) {
-  visit("wheel_radius", o.wheel_radius, Unit::meter, kPositive, "radius of a wheel");
-  visit("half_track", o.half_track, Unit::meter, kPositive,
+  visit("wheel_radius", o.wheel_radius, Unit::meter, between(1e-4, 100.0), "radius of a wheel");
+  visit("half_track", o.half_track, Unit::meter, between(1e-3, 100.0),
         "from the robot's centre to either wheel");
-  visit("ticks_per_turn", o.ticks_per_turn, kPositive, "encoder ticks in one turn of a wheel");
-  visit("left_right_ratio", o.left_right_ratio, kPositive,
+  visit("ticks_per_turn", o.ticks_per_turn, between(1.0, 1e9),
+        "encoder ticks in one turn of a wheel");
+  visit("left_right_ratio", o.left_right_ratio, between(0.01, 100.0),
         "right wheel's radius over the left one's");
 }
 
@@ -50,7 +51,8 @@ void visit_fields(LogOptions& o, Visitor&& visit) {
         "angle that the beams cover, symmetric about the front; 0: as detected");
   visit("first_bearing", o.first_bearing, Unit::radian,
         "one number: bearing of the first beam; none: as detected");
-  visit("bearing_step", o.bearing_step, Unit::radian, "from beam to beam; 0: as detected");
+  visit("bearing_step", o.bearing_step, Unit::radian, between(-6.3, 6.3),
+        "from beam to beam; 0: as detected");
   visit("max_range", o.max_range, Unit::meter, kNotNegative,
         "readings from here on mean that nothing was hit; 0: as detected");
   visit("robot_from_laser", o.robot_from_laser,
@@ -60,11 +62,12 @@ void visit_fields(LogOptions& o, Visitor&& visit) {
   visit("stamp", o.stamp, {"ipc", "logger"}, "which of a CARMEN line's two stamps is its time");
   visit("reorder_within", o.reorder_within, Unit::second, kNotNegative,
         "measurements late by up to this are put in order; later ones are an error");
-  visit("scan_period", o.scan_period, Unit::second, kPositive,
+  visit("scan_period", o.scan_period, Unit::second, between(1e-6, 1e6),
         "between scans of logs that have no stamps");
   visit("longest", o.longest, Unit::second, kNotNegative,
         "how much of the log, from its first measurement on, is used; 0: all of it");
-  visit("max_text", o.max_text, kPositive, "largest text, in bytes after unpacking, that is read");
+  visit("max_text", o.max_text, between(1.0, 1e12),
+        "largest text, in bytes after unpacking, that is read");
   visit("wheels", o.wheels, "the robot's wheels, for logs of encoder ticks");
 }
 

@@ -123,7 +123,8 @@ std::string objection_within(const std::string& top, const std::string& from,
 }
 
 bool is_test(const std::string& path) {
-  return ends_with(path, "_test.cpp") || path.find("/testing/") != std::string::npos;
+  return ends_with(path, "_test.cpp") || ends_with(path, "_fuzz.cpp") ||
+         path.find("/testing/") != std::string::npos;
 }
 
 // A table of everything that a folder holds.

@@ -20,14 +20,15 @@ struct CrowdOptions {
 
 template <class Visitor>
 void visit_fields(CrowdOptions& o, Visitor&& visit) {
-  visit("walkers", o.walkers, at_least(-1), "people who walk the world's routes; -1: its own");
-  visit("standing", o.standing, at_least(-1), "people who stand at its places; -1: its own");
-  visit("blockers", o.blockers, at_least(-1), "people who block the robot; -1: its own");
-  visit("mean_speed", o.mean_speed, Unit::meter_per_second, kPositive, "wished walking speed");
-  visit("speed_sigma", o.speed_sigma, Unit::meter_per_second, kNotNegative, "its sigma");
-  visit("block_time", o.block_time, Unit::second, kPositive, "how long a blocker stands");
-  visit("block_pause", o.block_pause, Unit::second, kPositive, "and how long he does not");
-  visit("robot_margin", o.robot_margin, Unit::meter, kNotNegative,
+  visit("walkers", o.walkers, between(-1, 5000), "people who walk the world's routes; -1: its own");
+  visit("standing", o.standing, between(-1, 5000), "people who stand at its places; -1: its own");
+  visit("blockers", o.blockers, between(-1, 5000), "people who block the robot; -1: its own");
+  visit("mean_speed", o.mean_speed, Unit::meter_per_second, between(0.01, 10.0),
+        "wished walking speed");
+  visit("speed_sigma", o.speed_sigma, Unit::meter_per_second, between(0.0, 10.0), "its sigma");
+  visit("block_time", o.block_time, Unit::second, between(0.01, 1e6), "how long a blocker stands");
+  visit("block_pause", o.block_pause, Unit::second, between(0.01, 1e6), "and how long he does not");
+  visit("robot_margin", o.robot_margin, Unit::meter, between(0.0, 10.0),
         "distance that people keep from the robot's outline");
   visit("force", o.force, "how people move");
 }

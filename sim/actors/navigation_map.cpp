@@ -18,6 +18,7 @@ constexpr int kBlock = 2;      // cells along the side of a block that shares it
 constexpr double kBlockSize = kBlock * kCell;  // [m]
 constexpr double kMargin = 1.0;                // [m] of grid around the outermost walls
 constexpr double kMostCells = 4e7;
+constexpr double kMostLooks = 1e9;  // at cells in the boxes of things
 
 double distance_to(const Wall& wall, const Eigen::Vector2d& point) {
   const Eigen::Vector2d along = wall.to - wall.from;
@@ -68,11 +69,18 @@ NavigationMap::NavigationMap(std::vector<Wall> walls) : walls_(std::move(walls))
 NavigationMap::NavigationMap(const World& world, double low, double high)
     : NavigationMap(walls_of(world, low, high)) {
   // Walls know their borders only; what is inside is not free either.
+  double looked_at = 0.0;
   for (const Footprint& f : footprints(world, low, high)) {
     const EntityKind kind = world.entities[static_cast<std::size_t>(f.entity)].kind;
     if (kind == EntityKind::floor || kind == EntityKind::door || f.outline.size() < 3) continue;
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector2d& p : f.outline) box.extend(p);
+    looked_at += (box.sizes() / kCell).array().ceil().prod();
+    if (looked_at > kMostLooks) {
+      throw InputError("world '" + world.name +
+                       "' has too many large things to walk or drive about in; make it smaller, or "
+                       "its meshes simpler");
+    }
     for (double y = box.min().y() - kCell; y <= box.max().y() + kCell; y += kCell) {
       for (double x = box.min().x() - kCell; x <= box.max().x() + kCell; x += kCell) {
         const int cell = cell_of({x, y});

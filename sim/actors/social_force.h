@@ -61,15 +61,16 @@ void advance(std::vector<Walker>& walkers, const NavigationMap& map, std::span<c
 
 template <class Visitor>
 void visit_fields(SocialForceOptions& o, Visitor&& visit) {
-  visit("relaxation", o.relaxation, Unit::second, kPositive, "tau: to reach the wished velocity");
-  visit("repulsion", o.repulsion, Unit::newton, kNotNegative, "A: at touching distance");
-  visit("range", o.range, Unit::meter, kPositive, "B: over which it falls by e");
-  visit("stiffness", o.stiffness, kNotNegative, "k1 [kg/s^2]: of bodies that touch");
-  visit("friction", o.friction, kNotNegative, "k2 [kg/(m s)]: of bodies that touch");
-  visit("sideways", o.sideways, kNotNegative, "k_o: fraction of forces that acts sideways");
-  visit("damping", o.damping, kNotNegative, "k_d [kg/s]: against walking sideways");
-  visit("heading", o.heading, kPositive, "k_lambda [1/(kg m)]: turning into the way");
-  visit("alpha", o.alpha, kPositive, "damping of that turn");
+  visit("relaxation", o.relaxation, Unit::second, between(0.01, 100.0),
+        "tau: to reach the wished velocity");
+  visit("repulsion", o.repulsion, Unit::newton, between(0.0, 1e5), "A: at touching distance");
+  visit("range", o.range, Unit::meter, between(0.001, 10.0), "B: over which it falls by e");
+  visit("stiffness", o.stiffness, between(0.0, 1e7), "k1 [kg/s^2]: of bodies that touch");
+  visit("friction", o.friction, between(0.0, 1e7), "k2 [kg/(m s)]: of bodies that touch");
+  visit("sideways", o.sideways, between(0.0, 100.0), "k_o: fraction of forces that acts sideways");
+  visit("damping", o.damping, between(0.0, 1e5), "k_d [kg/s]: against walking sideways");
+  visit("heading", o.heading, between(1e-4, 100.0), "k_lambda [1/(kg m)]: turning into the way");
+  visit("alpha", o.alpha, between(0.01, 100.0), "damping of that turn");
   visit("shoulder", o.shoulder, between(0.3, 1.0), "fraction of the radius that counts at walls");
 }
 

@@ -16,10 +16,13 @@ struct ScriptedDriverOptions {
 
 template <class Visitor>
 void visit_fields(ScriptedDriverOptions& o, Visitor&& visit) {
-  visit("speed", o.speed, Unit::meter_per_second, kPositive, "where the path does not say");
-  visit("look_ahead", o.look_ahead, Unit::meter, kPositive, "how far ahead it steers for");
-  visit("margin", o.margin, Unit::meter, kNotNegative, "distance kept from walls");
-  visit("people_margin", o.people_margin, Unit::meter, kNotNegative, "distance kept from people");
+  visit("speed", o.speed, Unit::meter_per_second, between(0.001, 100.0),
+        "where the path does not say");
+  visit("look_ahead", o.look_ahead, Unit::meter, between(0.01, 100.0),
+        "how far ahead it steers for");
+  visit("margin", o.margin, Unit::meter, between(0.0, 10.0), "distance kept from walls");
+  visit("people_margin", o.people_margin, Unit::meter, between(0.0, 10.0),
+        "distance kept from people");
   visit("patience", o.patience, Unit::second, kNotNegative,
         "waits this long for somebody in the way, then goes round");
 }

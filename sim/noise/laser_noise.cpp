@@ -65,7 +65,8 @@ Surfaces surfaces_of(std::span<const Echo> echoes, const LaserNoise& noise, cons
       result.axis_range = is_hit ? taken->range : kInfinity;
       axis_done = true;
     }
-    CHECK(++sub_ray_count <= kMostSubRays);
+    ++sub_ray_count;
+    CHECK(sub_ray_count <= kMostSubRays);
     if (!is_hit) continue;
     const double light = fraction * taken->reflectivity * taken->cos_incidence;
     const double range = std::max(1e-3, static_cast<double>(taken->range));

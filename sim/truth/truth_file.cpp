@@ -24,7 +24,8 @@ constexpr std::string_view kEnd = "END ";
 // A block holds enough for gzip to find what repeats, and little enough for memory.
 constexpr std::size_t kMostMoments = 256;
 constexpr std::size_t kMostNumbers = std::size_t{1} << 22;
-constexpr std::size_t kLongestBlock = std::size_t{1} << 28;  // [bytes]
+constexpr std::size_t kLongestBlock = std::size_t{1} << 26;  // [bytes]
+constexpr std::size_t kMostMemory = 2'500'000'000;           // [bytes] as a recording takes
 constexpr std::size_t kLongestLine = std::size_t{1} << 16;   // [bytes]
 
 bool have_same_parts(const StampedStates& a, const StampedStates& b) {
@@ -189,11 +190,23 @@ void read_truth(const std::string& path, const TruthSink& sink) {
 
 Truth load_truth(const std::string& path) {
   Truth truth;
+  std::size_t memory = 0;
+  const auto keep = [&](auto& list, auto&& item, std::size_t bytes) {
+    memory += sizeof item + bytes;
+    if (memory > kMostMemory) {
+      throw InputError({path},
+                       fmt::format("takes more than {:.1f} GB of memory", kMostMemory / 1e9),
+                       "is it a truth file of a drive?");
+    }
+    list.push_back(std::move(item));
+  };
   read_truth(
       path,
       {.header = [&](const TruthHeader& header) { static_cast<TruthHeader&>(truth) = header; },
-       .states = [&](StampedStates&& s) { truth.states.push_back(std::move(s)); },
-       .beams = [&](BeamTruthOfScan&& b) { truth.beams.push_back(std::move(b)); }});
+       .states =
+           [&](StampedStates&& s) { keep(truth.states, s, s.moving.size() * sizeof(MovingPose)); },
+       .beams =
+           [&](BeamTruthOfScan&& b) { keep(truth.beams, b, b.beams.size() * sizeof(BeamTruth)); }});
   // Each laser has blocks of its own.
   std::stable_sort(truth.beams.begin(), truth.beams.end(),
                    [](const BeamTruthOfScan& a, const BeamTruthOfScan& b) {

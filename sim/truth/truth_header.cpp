@@ -10,6 +10,7 @@ namespace mapbed {
 namespace {
 
 constexpr std::string_view kFirstLine = "MAPBED TRUTH 2";
+constexpr long kMostLines = 1'000'000;
 constexpr int kKinds = 8;  // of EntityKind
 
 // On one line, whatever somebody called it.
@@ -46,6 +47,7 @@ bool TruthHeaderReader::take(std::string_view line, bool is_whole) {
   const bool is_first = place_.line == 1;
   if (is_first && (is_whole || !line.empty())) check_first_line(line);
   if (!is_whole) fail("the file ends before its blocks");
+  if (place_.line > kMostLines) fail("a header of more than a million lines");
   if (is_first) return false;
   const std::string_view key = next_word(line);
   if (key == "BLOCKS") return true;

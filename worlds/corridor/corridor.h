@@ -33,9 +33,9 @@ void visit_fields(CorridorOptions& o, Visitor&& visit) {
   visit("room_depth", o.room_depth, Unit::meter, between(2, 20), "of the rooms behind the doors");
   visit("doors_a_side", o.doors_a_side, between(0, 200), "doors along either side");
   visit("clutter", o.clutter, between(0, 2), "how much stands along the walls; 1: as usual");
-  visit("door_mean_open", o.door_mean_open, Unit::second, kNotNegative,
+  visit("door_mean_open", o.door_mean_open, Unit::second, between(0.0, 1e6),
         "how long a door stays open; 0: until somebody needs it");
-  visit("door_mean_shut", o.door_mean_shut, Unit::second, kNotNegative,
+  visit("door_mean_shut", o.door_mean_shut, Unit::second, between(0.0, 1e6),
         "how long a door stays shut; 0: until somebody needs it");
   visit("walkers", o.walkers, between(0, 500), "people who walk about");
   visit("standing", o.standing, between(0, 500), "people who stand");

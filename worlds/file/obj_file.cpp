@@ -6,9 +6,13 @@
 #include "core/file/text_file.h"
 #include "core/file/tokens.h"
 #include "core/input_error.h"
+#include "worlds/geometry/triangulate.h"
 
 namespace mapbed {
 namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{1} << 27;  // [bytes]
+constexpr std::size_t kMostTriangles = 4'000'000;           // rays are cast against all of them
 
 Eigen::Vector3d vertex(std::string_view line, const SourceLocation& place) {
   Eigen::Vector3d result;
@@ -39,25 +43,43 @@ std::vector<std::uint32_t> face(std::string_view line, std::size_t vertices,
   return corners;
 }
 
+void add_face(TriangleMesh& mesh, const std::vector<std::uint32_t>& face,
+              const SourceLocation& place) {
+  std::vector<Eigen::Vector3d> corners;
+  for (const std::uint32_t corner : face) corners.push_back(mesh.vertices[corner]);
+  const auto triangles = triangulate_face(corners);
+  if (!triangles) {
+    throw InputError(place,
+                     "the face crosses itself, or has more than " + std::to_string(kMostCorners) +
+                         " corners and is not convex",
+                     "list its corners in order, once round, or split it into triangles");
+  }
+  for (const auto& [a, b, c] : *triangles) mesh.triangles.push_back({face[a], face[b], face[c]});
+  if (mesh.triangles.size() > kMostTriangles) {
+    throw InputError(place,
+                     "the mesh has more than " + std::to_string(kMostTriangles) + " triangles",
+                     "simplify it in the program that made it");
+  }
+}
+
 }  // namespace
 
 TriangleMesh load_obj(const std::string& path) {
-  const std::string text = read_text_file(path);
+  return parse_obj(path, read_text_file(path, kLargestFile));
+}
+
+TriangleMesh parse_obj(const std::string& name, std::string_view text) {
   TriangleMesh mesh;
   std::string_view rest = text;
   for (long number = 1; !rest.empty(); ++number) {
-    const SourceLocation place{path, number};
+    const SourceLocation place{name, number};
     std::string_view line = next_line(rest);
     const std::string_view keyword = next_word(line);
     if (keyword == "v") mesh.vertices.push_back(vertex(line, place));
-    if (keyword == "f") {
-      const std::vector<std::uint32_t> corners = face(line, mesh.vertices.size(), place);
-      for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-        mesh.triangles.push_back({corners[0], corners[i], corners[i + 1]});
-      }
-    }
+    if (keyword == "f") add_face(mesh, face(line, mesh.vertices.size(), place), place);
   }
-  if (mesh.triangles.empty()) throw InputError({path}, "there is no face in it");
+  if (mesh.triangles.empty())
+    throw InputError({name}, "there is no face in it that covers anything");
   return mesh;
 }
 

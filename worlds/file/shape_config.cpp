@@ -9,7 +9,7 @@
 namespace mapbed {
 namespace {
 
-constexpr double kLargest = 1e5;  // [m] of any coordinate
+constexpr double kLargest = 1e4;  // [m] of any coordinate
 
 Eigen::VectorXd coordinates(const ConfigNode& node, std::size_t least, std::size_t most) {
   const std::vector<double> numbers = node.numbers(Unit::meter, between(-kLargest, kLargest));
@@ -24,6 +24,11 @@ Eigen::VectorXd coordinates(const ConfigNode& node, std::size_t least, std::size
 
 Extrusion extrusion(const ConfigNode& node, double height) {
   Extrusion result{points(node, 3), 0.0, height};
+  if (result.outline.size() > kMostCorners) {
+    throw InputError(node.place(),
+                     "the outline has more than " + std::to_string(kMostCorners) + " corners",
+                     "leave some out, or make two shapes of it");
+  }
   if (doubled_area(result.outline) < 0.0) {
     std::reverse(result.outline.begin(), result.outline.end());
   }

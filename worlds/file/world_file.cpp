@@ -198,7 +198,8 @@ class WorldReader {
       const ConfigNode& entry = node.at(name);
       NamedPath path{name, {}, length(entry, "clearance", 0.3)};
       const ConfigNode* speed = entry.find("speed");
-      const double fast = speed != nullptr ? speed->number(Unit::meter_per_second, kPositive) : 0.0;
+      const double fast =
+          speed != nullptr ? speed->number(Unit::meter_per_second, between(0.001, 100.0)) : 0.0;
       for (const Eigen::Vector2d& p : points(entry.at("points"), 2)) {
         path.points.push_back({p, fast});
       }
@@ -225,7 +226,7 @@ class WorldReader {
         CrowdRoute route{.name = item.at("name").text(), .points = points(item.at("points"), 2)};
         if (const ConfigNode* closed = item.find("closed")) route.closed = closed->flag();
         if (const ConfigNode* weight = item.find("weight")) {
-          route.weight = weight->number(Unit::none, kPositive);
+          route.weight = weight->number(Unit::none, between(1e-6, 1e6));
         }
         check_at(item.place(), [&] { check_clearance(world_, route); });
         crowd.routes.push_back(std::move(route));

@@ -36,11 +36,12 @@ void visit_fields(Material& m, Visitor&& visit) {
         "probability that a laser beam passes straight through; 0: opaque");
   visit("specular_hit", m.specular_hit, kFraction,
         "of glass: probability of a hit along the normal");
-  visit("specular_width", m.specular_width, Unit::radian, kPositive,
+  visit("specular_width", m.specular_width, Unit::radian, between(1e-4, 10.0),
         "of glass: standard deviation of that peak");
-  visit("permittivity", m.permittivity, at_least(1), "relative, at 915 MHz");
+  visit("permittivity", m.permittivity, between(1.0, 1e6), "relative, at 915 MHz");
   visit("conductor", m.conductor, "reflects all radio waves");
-  visit("crossing_loss", m.crossing_loss, kNotNegative, "of a radio wave going through once [dB]");
+  visit("crossing_loss", m.crossing_loss, between(0.0, 1000.0),
+        "of a radio wave going through once [dB]");
 }
 
 // That a laser beam is reflected by the surface and not let through, at an angle of incidence from

@@ -13,6 +13,8 @@
 namespace mapbed {
 namespace {
 
+constexpr double kMostLooks = 1e9;  // at cells in the boxes of things
+
 constexpr std::int32_t kNothing = -1;
 
 TrueMap empty_map(const World& world, const RasterOptions& options) {
@@ -120,8 +122,15 @@ bool has_free_neighbour(const TrueMap& map, int x, int y) {
 TrueMap raster(const World& world, const RasterOptions& options) {
   TrueMap map = empty_map(world, options);
   constexpr double kThin = 1e-6;  // [m] a cut has no thickness
+  double looked_at = 0.0;
   for (const Footprint& footprint :
        footprints(world, options.height - kThin, options.height + kThin)) {
+    looked_at += (box_of(footprint).sizes() / map.resolution).array().ceil().prod();
+    if (looked_at > kMostLooks) {
+      throw InputError("world '" + world.name +
+                       "' has too many large things that stand aslant for a map of cells of " +
+                       fmt::format("{} m; take a coarser resolution", map.resolution));
+    }
     draw(map, footprint);
   }
   if (world.paths.empty()) {

@@ -36,7 +36,7 @@ struct RasterOptions {
   double height = 0.3;       // [m] of the cut, usually the laser's
   double resolution = 0.05;  // [m]
   double margin = 0.5;       // [m] kept around the world
-  double max_cells = 2.5e8;  // more would not fit into memory
+  double max_cells = 1e8;    // more would not fit into memory
 };
 
 // Doors as they stand. Throws InputError where the map would not fit into memory.

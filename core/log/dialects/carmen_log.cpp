@@ -108,7 +108,7 @@ class CarmenReader : public LogLineReader {
   // False for a line that is cut short or has something else where a number belongs.
   bool complete(const Tokens& tokens, const char* kind) {
     if (tokens.ok()) return true;
-    builder_.broken(line_, fmt::format("truncated or garbled {} line: left out", kind));
+    builder_.garbled(line_, std::string(kind) + " line", tokens);
     return false;
   }
 
@@ -236,7 +236,8 @@ class CarmenReader : public LogLineReader {
   void read_parameter(Tokens& tokens) {
     const std::string_view name = tokens.word();
     const std::string_view value = tokens.word();
-    if (complete(tokens, "PARAM")) builder_.set_parameter(std::string(name), std::string(value));
+    if (complete(tokens, "PARAM"))
+      builder_.set_parameter(std::string(name), std::string(value), line_);
   }
 
   void skip(std::string_view kind) {

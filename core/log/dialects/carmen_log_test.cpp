@@ -267,8 +267,8 @@ TEST(CarmenLog, AMountHoldsForTheScansThatFollowOfItsLaser) {
 TEST(CarmenLog, ABrokenMountLineIsLeftOutWithItsLine) {
   for (const char* line : {"LASERMOUNT 1 0.4 0.1", "LASERMOUNT 1 0.4 x -0.2 0 100 host 0"}) {
     const RecordedLog log = parse_log("a.log", kRobotLaser + line + "\n" + kRobotLaser);
-    EXPECT_EQ(to_string(log.warnings.at(0)),
-              "a.log:2: truncated or garbled LASERMOUNT line: left out");
+    EXPECT_THAT(to_string(log.warnings.at(0)),
+                ::testing::StartsWith("a.log:2: truncated or garbled LASERMOUNT line: left out"));
     EXPECT_EQ(scan_at(log, 3).robot_from_laser.z, 0.0);
   }
   for (const char* line :

@@ -45,7 +45,7 @@ class DpslamReader : public LogLineReader {
     odometry.odometry_from_robot.x = tokens.number();
     odometry.odometry_from_robot.y = tokens.number();
     odometry.odometry_from_robot.theta = tokens.number();
-    if (!tokens.ok()) return builder_.broken(number, "truncated Odometry line: left out");
+    if (!tokens.ok()) return builder_.garbled(number, "Odometry line", tokens);
     builder_.add(odometry, number);
   }
 
@@ -54,7 +54,7 @@ class DpslamReader : public LogLineReader {
     scan.time = now();
     scan.robot_from_laser.planar = kMountToBeTold;
     scan.ranges = tokens.counted_numbers();
-    if (!tokens.ok()) return builder_.broken(number, "truncated Laser line: left out");
+    if (!tokens.ok()) return builder_.garbled(number, "Laser line", tokens);
     builder_.add(std::move(scan), number);
   }
 

@@ -24,7 +24,7 @@ class ScanListReader : public LogLineReader {
     LaserScan scan;
     scan.time = tokens.number();
     scan.ranges = tokens.counted_numbers();
-    if (!tokens.ok()) return builder_.broken(number, "truncated or garbled scan: left out");
+    if (!tokens.ok()) return builder_.garbled(number, "scan", tokens);
     if (!tokens.at_end())
       return builder_.broken(number, "scan with more ranges than it says: left out");
     scan.robot_from_laser.planar = kMountToBeTold;
