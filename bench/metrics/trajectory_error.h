@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/config/option.h"
 #include "core/geometry/trajectory.h"
 
 namespace mapbed {
