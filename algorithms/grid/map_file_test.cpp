@@ -193,7 +193,7 @@ TEST(MapImage, RefusesMapsThatMakeNoPicture) {
   EXPECT_INPUT_ERROR(image_box(map, "map.pgm"), "map.pgm is 20001 x 20001 cells");
 }
 
-TEST(MapFile, AMapThatIsLongAndAslantIsRefusedAndNotLookedThroughForHours) {
+TEST_F(MapFile, AMapThatIsLongAndAslantIsRefusedAndNotLookedThroughForHours) {
   MapServerMap map{.occupancy = Image<float>(200'000, 1, 1.0F), .resolution = 0.05};
   EXPECT_EQ(known_box(occupancy_map_of(map)).width(), 200'000);
   map.map_from_image.theta = 0.7;
