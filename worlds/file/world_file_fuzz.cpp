@@ -3,13 +3,13 @@
 #include "core/check.h"
 #include "core/input_error.h"
 #include "core/testing/fuzz_input.h"
-#include "worlds/file/world_file.h"
 #include "worlds/world.h"
+#include "worlds/worlds.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace mapbed;
   try {
-    const World world = load_world(fuzz_file("world.yaml", data, size));
+    const World world = build_world(fuzz_file("world.yaml", data, size));
     CHECK(!world.entities.empty());
     CHECK(bounds_of(world).min().allFinite() && bounds_of(world).max().allFinite());
   } catch (const InputError&) {
