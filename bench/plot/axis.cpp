@@ -48,7 +48,8 @@ std::vector<Tick> logarithmic_ticks(const Scale& scale, int count) {
   const int every = std::max(1, static_cast<int>(std::ceil(decades / count)));  // decades
   const int first = static_cast<int>(std::floor(std::log10(scale.low)));
   std::vector<Tick> ticks;
-  for (int decade = first; decade < 308 && std::pow(10.0, decade) <= scale.high * (1 + 1e-9); ++decade) {
+  for (int decade = first; decade < 308 && std::pow(10.0, decade) <= scale.high * (1 + 1e-9);
+       ++decade) {
     for (int factor = 1; factor <= 9; ++factor) {
       const double value = factor * std::pow(10.0, decade);
       if (value < scale.low * (1 - 1e-9) || value > scale.high * (1 + 1e-9)) continue;
