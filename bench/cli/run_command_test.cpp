@@ -7,6 +7,7 @@
 
 #include "bench/cli/testing/command_test.h"
 #include "bench/results/result_folder.h"
+#include "core/data_path.h"
 
 namespace mapbed {
 namespace {
@@ -227,7 +228,7 @@ TEST_F(RunCommand, AnEditedFileIsToldAndRunAnew) {
   write("room.yaml", "start: corridor\noptions: {length: 14 m}\n");
   const Outcome anew = run_own();
   EXPECT_EQ(anew.status, 0);
-  EXPECT_EQ(anew.err, "remark: " + path("room.yaml") +
+  EXPECT_EQ(anew.err, "remark: " + portable_path(path("room.yaml")) +
                           " changed since r/config.yaml was written; all runs are done anew\n");
   EXPECT_THAT(anew.out, HasSubstr("0 were done before"));
   write("room.yaml", "start: corridor\n");

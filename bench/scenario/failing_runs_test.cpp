@@ -2,12 +2,12 @@
 
 #include <cmath>
 #include <fstream>
-#include <stdexcept>
 
 #include <gmock/gmock.h>
 
 #include "bench/results/result_folder.h"
 #include "bench/scenario/run_scenario.h"
+#include "core/input_error.h"
 #include "core/testing/temporary_folder.h"
 
 namespace mapbed {
@@ -23,7 +23,7 @@ void visit_fields(FailingOptions& o, Visitor&& visit) {
 }
 
 RunOutcome answer(const FailingOptions& options, const RunInput& /*input*/) {
-  if (options.fails) throw std::runtime_error("the map is\nempty, it says");
+  if (options.fails) throw InputError("the map is\nempty, it says");
   return {.values = {{"answer", 42.0}}};
 }
 

@@ -11,6 +11,7 @@
 #include "bench/scenario/run_scenario.h"
 #include "bench/scenario/testing/own_files.h"
 #include "bench/sources/files_record.h"
+#include "core/data_path.h"
 #include "core/file/hash.h"
 #include "core/testing/throws_input_error.h"
 
@@ -34,7 +35,7 @@ class Identity : public OwnFiles {
     std::ofstream(path(file), std::ios::app) << addition;
     const ScenarioPlan after = planned(scenario);
     EXPECT_NE(identity_of(after), identity_of(before));
-    EXPECT_THAT(changed_files(config, input_files(after)), ElementsAre(path(file)));
+    EXPECT_THAT(changed_files(config, input_files(after)), ElementsAre(portable_path(path(file))));
   }
 };
 
@@ -67,7 +68,8 @@ TEST_F(Identity, HoldsTheFilesThatExperimentsName) {
 TEST_F(Identity, HoldsTheShippedFilesByNamesThatAreTheSameEverywhere) {
   const ScenarioPlan plan = planned(scenario("workshop", "driver.speed: 0.3 m/s\n"));
   EXPECT_THAT(plan.results.config_yaml, HasSubstr("  - {path: worlds/workshop.yaml, sha256: "));
-  EXPECT_THAT(plan.results.config_yaml, HasSubstr("  - {path: " + path("ours.yaml") + ", sha"));
+  EXPECT_THAT(plan.results.config_yaml,
+              HasSubstr("  - {path: " + portable_path(path("ours.yaml")) + ", sha"));
 }
 
 TEST_F(Identity, HoldsTheFilesOfEveryLevelAndVariant) {
@@ -190,7 +192,7 @@ TEST_F(Identity, UnfinishedRunsSayWhatTheyWereMadeOf) {
   std::ofstream(path("room.yaml"), std::ios::app) << "# edited\n";
   const ScenarioPlan edited = planned(path("x.yaml"));
   EXPECT_THAT(changed_files(path("r/runs/tables/config.yaml"), input_files(edited)),
-              ElementsAre(path("room.yaml")));
+              ElementsAre(portable_path(path("room.yaml"))));
   EXPECT_INPUT_ERROR(run_scenario(edited, options, stops_soon),
                      "these unfinished runs are of another configuration");
 }
