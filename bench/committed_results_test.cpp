@@ -23,8 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Wait to be made again at full size: they are of the filter that always refined its trajectory.
-const std::set<std::string> kOutdated{"ch5_vs_standard_rbpf"};
+// Wait to be made again at full size: they are of earlier scan matching, of other names of metrics,
+// of the filter that always refined its trajectory.
+const std::set<std::string> kOutdated{"ch2_matching_basin", "ch5_motion_models_heavy",
+                                      "ch5_vs_standard_rbpf"};
 
 constexpr double kEnough = 4.0;  // [s] of processor time that the runs of a scenario took
 
