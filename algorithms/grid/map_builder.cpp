@@ -29,7 +29,7 @@ ScanList scans_of(const SensorLog& log) {
 
 // Half the side of the largest grid, so that one that starts anywhere near the origin holds it.
 double reach(double resolution) {
-  return 0.5 * TileDirectory<OccupancyMap::Tile>::kMaxTiles * OccupancyMap::kTileSide * resolution;
+  return 0.5 * OccupancyMap::kMaxTiles * OccupancyMap::kTileSide * resolution;
 }
 
 void check(const MapOptions& options) {

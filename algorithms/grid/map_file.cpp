@@ -27,8 +27,7 @@ constexpr double kMostCells = 1 << 28;  // of the upright box around a turned ma
 Placement place(const Eigen::Vector2d& corner, double resolution) {
   const Eigen::Vector2d cells = corner / resolution;
   const Eigen::Vector2d whole(std::round(cells.x()), std::round(cells.y()));
-  constexpr double kReach =
-      TileDirectory<OccupancyMap::Tile>::kMaxTiles * OccupancyMap::kTileSide / 2;
+  constexpr double kReach = OccupancyMap::kMaxTiles * OccupancyMap::kTileSide / 2;
   const bool aligned = (cells - whole).cwiseAbs().maxCoeff() < 1e-6;
   if (aligned && whole.cwiseAbs().maxCoeff() < kReach) {
     return {GridFrame{.resolution = resolution},
@@ -38,8 +37,7 @@ Placement place(const Eigen::Vector2d& corner, double resolution) {
 }
 
 void check_sides(const MapServerMap& map) {
-  constexpr int kMost =
-      (TileDirectory<OccupancyMap::Tile>::kMaxTiles / 2) * OccupancyMap::kTileSide;
+  constexpr int kMost = (OccupancyMap::kMaxTiles / 2) * OccupancyMap::kTileSide;
   if (std::max(map.occupancy.width(), map.occupancy.height()) <= kMost) return;
   throw InputError("a map of " + std::to_string(map.occupancy.width()) + " x " +
                    std::to_string(map.occupancy.height()) + " cells is too long; at most " +

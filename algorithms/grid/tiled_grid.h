@@ -22,6 +22,7 @@ class TiledGrid {
   static constexpr int kTileSide = 1 << kTileBits;
 
   using Tile = std::array<Cell, std::size_t{kTileSide} * kTileSide>;  // row by row
+  static constexpr int kMaxTiles = TileDirectory<Tile>::kMaxTiles;    // along one axis
 
   explicit TiledGrid(const GridFrame& frame) : frame_(frame) { CHECK(frame.resolution > 0.0); }
   explicit TiledGrid(double resolution) : TiledGrid(GridFrame{.resolution = resolution}) {}

@@ -12,16 +12,17 @@
 namespace mapbed {
 namespace {
 
+constexpr MotionModelOptions kWithoutErrors{.rotation_per_rotation = 0,
+                                            .rotation_per_meter = 0,
+                                            .translation_per_meter = 0,
+                                            .translation_per_rotation = 0,
+                                            .least_rotation_sigma = 1e-12,
+                                            .least_translation_sigma = 1e-12};
+
 TEST(MotionModel, WithoutErrorsGivesTheMeasuredMotion) {
-  const MotionModelOptions exact{.rotation_per_rotation = 0,
-                                 .rotation_per_meter = 0,
-                                 .translation_per_meter = 0,
-                                 .translation_per_rotation = 0,
-                                 .least_rotation_sigma = 1e-12,
-                                 .least_translation_sigma = 1e-12};
   Rng rng(1);
   for (const Pose2 motion : {Pose2{0.5, 0.1, 0.3}, Pose2{-0.5, 0.1, 0.3}, Pose2{0, 0, 1.0}}) {
-    EXPECT_THAT(sampled_motion(motion, exact, rng), IsNear(motion, Tolerance{1e-9, 1e-9}));
+    EXPECT_THAT(sampled_motion(motion, kWithoutErrors, rng), IsNear(motion, Tolerance{1e-9, 1e-9}));
   }
 }
 
@@ -46,13 +47,6 @@ TEST(MotionModel, TheGaussianHasTheCovarianceOfTheSamples) {
     EXPECT_NEAR(scatter(i, i) / expected(i, i), 1.0, 0.08);
   }
 }
-
-constexpr MotionModelOptions kWithoutErrors{.rotation_per_rotation = 0,
-                                            .rotation_per_meter = 0,
-                                            .translation_per_meter = 0,
-                                            .translation_per_rotation = 0,
-                                            .least_rotation_sigma = 1e-12,
-                                            .least_translation_sigma = 1e-12};
 
 // Straight on for 2 m, and then a turn: a tenth of both rotations is not there.
 TEST(MotionModel, TakesTheBiasOffBothRotations) {

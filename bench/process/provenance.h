@@ -18,9 +18,10 @@ struct Provenance {
   int recordings_needed = 0;  // by all runs
   int recordings_made = 0;    // by the last start
   int threads = 0;
-  double wall_seconds = 0.0;                                       // of the last start
-  double processor_seconds = 0.0;                                  // of all runs and recordings
-  std::vector<std::pair<std::string, std::string>> tables_sha256;  // name and checksum
+  double wall_seconds = 0.0;       // of the last start
+  double processor_seconds = 0.0;  // of all runs and recordings
+  // Name and checksum of each table of the runs.
+  std::vector<std::pair<std::string, std::string>> tables_sha256;
 };
 
 // Text in UTF-8, whatever the command is.
