@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "bench/plot/plot.h"
@@ -14,11 +15,20 @@ namespace mapbed {
 namespace {
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-constexpr double kFinest = 0.02;  // [m] half a pixel of a picture of 30 m
+constexpr double kFinest = 1.0 / 1200.0;  // of the picture's larger side: half a pixel
 
-// Finer than any picture; full digits would make the files of many paths three times as long.
+// [cm], finer than any picture; full digits would make the files of many paths three times as long.
 double rounded(double value) {
-  return std::round(1000.0 * value) / 1000.0;
+  return std::round(100.0 * value) / 100.0;
+}
+
+// [m] larger side of the box around all branches.
+double extent_of(const std::vector<Trajectory>& branches) {
+  Eigen::AlignedBox2d box;
+  for (const Trajectory& branch : branches) {
+    for (const Stamped<Pose2>& stamped : branch) box.extend(stamped.pose.position());
+  }
+  return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
 }
 
 double distance_to_line(const Pose2& pose, const Pose2& from, const Pose2& to) {
@@ -60,8 +70,9 @@ Trajectory thinned(const Trajectory& path, double tolerance) {
   return result;
 }
 
-void append(const Trajectory& path, const Pose2& world_from_path, PlotSeries& series) {
-  for (const Stamped<Pose2>& stamped : thinned(path, kFinest)) {
+void append(const Trajectory& path, const Pose2& world_from_path, double tolerance,
+            PlotSeries& series) {
+  for (const Stamped<Pose2>& stamped : thinned(path, tolerance)) {
     const Pose2 pose = world_from_path * stamped.pose;
     series.x.push_back(rounded(pose.x));
     series.y.push_back(rounded(pose.y));
@@ -89,8 +100,11 @@ std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajecto
                                     const Pose2& world_from_map, double seconds,
                                     const std::string& label) {
   if (hypotheses.branches.empty()) return {};
-  PlotSeries particles{.name = "paths of all particles", .mark = Mark::path};
-  for (const Trajectory& branch : hypotheses.branches) append(branch, world_from_map, particles);
+  const double tolerance = kFinest * extent_of(hypotheses.branches);
+  PlotSeries particles{.name = "particles", .mark = Mark::path};
+  for (const Trajectory& branch : hypotheses.branches) {
+    append(branch, world_from_map, tolerance, particles);
+  }
   const double now = hypotheses.branches.front().back().time;
   Trajectory so_far;
   // Where true poses are many, some of them show the path as well.
@@ -99,7 +113,7 @@ std::vector<ResultFile> path_figure(const Hypotheses& hypotheses, const Trajecto
     so_far.push_back(truth[i]);
   }
   PlotSeries true_path{.name = so_far.empty() ? "" : "true path", .mark = Mark::path};
-  append(so_far, Pose2{}, true_path);
+  append(so_far, Pose2{}, tolerance, true_path);
   const std::string time = fmt::format("{:.0f}", seconds);
   const Plot plot{
       .title =

@@ -40,7 +40,8 @@ TEST(ParticleFigures, ShowAllPathsInTheWorldUpToNow) {
 TEST(ParticleFigures, LeaveOutWhatNobodyWouldSee) {
   Hypotheses along_a_corner;
   Trajectory path;
-  for (int i = 0; i <= 100; ++i) path.push_back({0.0 + i, {0.1 * i, i % 2 == 0 ? 0.0 : 0.01, 0.0}});
+  for (int i = 0; i <= 100; ++i)
+    path.push_back({0.0 + i, {0.1 * i, i % 2 == 0 ? 0.0 : 0.005, 0.0}});
   for (int i = 1; i <= 100; ++i) path.push_back({100.0 + i, {10.0, 0.1 * i, 0.0}});
   along_a_corner.branches = {path};
   const std::string csv = path_figure(along_a_corner, {}, {}, 200.0, "")[1].content;
