@@ -25,6 +25,8 @@ TEST(Rng, StreamsOfOtherNamesAndNumbersDiffer) {
   EXPECT_NE(rng.stream("laser").bits(), rng.stream("odometry").bits());
   EXPECT_NE(rng.stream("person", 1).bits(), rng.stream("person", 2).bits());
   EXPECT_NE(rng.stream("person", 1, 2).bits(), rng.stream("person", 2, 1).bits());
+  EXPECT_NE(rng.stream("person", 1, 2).bits(), rng.stream("person", 1, 3).bits());
+  EXPECT_NE(rng.stream("person", 1, 2).bits(), rng.stream("person", 3, 2).bits());
 }
 
 TEST(Rng, NormalsHaveMeanZeroAndSigmaOne) {

@@ -7,13 +7,38 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include "core/file/text_file.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
+
+namespace {
+
+// What this thread asked the system for, in order.
+thread_local std::vector<std::string> calls;
+
+std::string name_of(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+}  // namespace
+
+// In place of the C library's, for this program alone.
+extern "C" int fsync(int file) {
+  const std::string link = "/proc/self/fd/" + std::to_string(file);
+  calls.push_back("fsync " + name_of(std::filesystem::read_symlink(link).string()));
+  return static_cast<int>(syscall(SYS_fsync, file));
+}
+
+extern "C" int rename(const char* from, const char* to) noexcept {
+  calls.push_back("rename " + name_of(from) + " to " + name_of(to));
+  return renameat(AT_FDCWD, from, AT_FDCWD, to);
+}
 
 namespace mapbed {
 namespace {
@@ -37,6 +62,21 @@ TEST(AtomicFile, LeavesNothingBehindWhereItIsGivenUp) {
   const std::string path = folder.file("a.txt");
   { AtomicFile(path).stream() << "half"; }
   EXPECT_EQ(folder.files(), 0u);
+}
+
+// After a power cut a name must not lead to a file whose bytes never got to the disk.
+TEST(AtomicFile, IsOnTheDiskBeforeItGetsItsName) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.txt");
+  const std::string renamed = "rename .a.txt.unfinished to a.txt";
+  calls.clear();
+  write_file(path, "new");
+  EXPECT_THAT(calls, ::testing::ElementsAre(
+                         "fsync .a.txt.unfinished", renamed,
+                         "fsync " + name_of(std::filesystem::path(path).parent_path().string())));
+  calls.clear();
+  write_file(path, "newer", Durability::unsynced);
+  EXPECT_THAT(calls, ::testing::ElementsAre(renamed));
 }
 
 TEST(AtomicFile, ManyThreadsMayWriteTheSameFile) {

@@ -13,7 +13,8 @@ namespace {
 TEST(CsvFile, ReadsBackWhatItWrote) {
   const std::vector<CsvRow> rows{{"name", "text"},      {"plain", "two words"},
                                  {"comma", "a, b"},     {"quote", "the \"left\" one"},
-                                 {"lines", "one\ntwo"}, {"empty", ""}};
+                                 {"lines", "one\ntwo"}, {"return", "one\rtwo"},
+                                 {"empty", ""}};
   EXPECT_EQ(parse_csv("x.csv", csv_text(rows)), rows);
 }
 

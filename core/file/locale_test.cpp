@@ -2,17 +2,22 @@
 // library.
 
 #include <clocale>
+#include <filesystem>
 #include <locale>
+#include <regex>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
 #include "core/config/config_node.h"
 #include "core/config/quantity.h"
 #include "core/file/csv_file.h"
+#include "core/file/text_file.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/map_server.h"
 #include "core/log/dialects/carmen_log.h"
+#include "core/testing/source_tree.h"
 #include "core/testing/temporary_folder.h"
 
 namespace mapbed {
@@ -79,6 +84,27 @@ TEST_F(InACommaLocale, MapsHavePoints) {
   const MapServerMap back = read_map_server(folder.file("map.yaml"));
   EXPECT_EQ(back.resolution, 0.125);
   EXPECT_EQ(back.map_from_image.x, -1234.5);
+}
+
+// C's functions obey the locale, which not every machine has one with commas to show it by.
+TEST(Locale, NobodyReadsNumbersByFunctionsThatObeyIt) {
+  namespace fs = std::filesystem;
+  const std::regex obeys(
+      R"(\b(strto[df]|strtold|atof|sto[df]|stold|f?scanf|sscanf|snprintf)\s*\()");
+  std::vector<std::string> found;
+  int files = 0;
+  for (const char* folder : {"core", "worlds", "robots", "sim", "algorithms", "bench"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_tree()) / folder)) {
+      const std::string path = entry.path().string();
+      const bool is_source = path.ends_with(".cpp") || path.ends_with(".h");
+      if (!is_source || path.ends_with("_test.cpp")) continue;
+      ++files;
+      const std::string text = read_text_file(path);
+      if (std::regex_search(text, obeys)) found.push_back(path);
+    }
+  }
+  EXPECT_THAT(found, ::testing::IsEmpty());
+  EXPECT_GT(files, 100) << "looked in the wrong place: " << source_tree();
 }
 
 }  // namespace

@@ -108,5 +108,13 @@ TEST(ObjFile, RefusesAFaceThatCrossesItselfOrHasTooManyCorners) {
   EXPECT_EQ(load(zigzag(499)).triangles.size(), 497u);
 }
 
+TEST(ObjFile, CountsNegativeCornersBackFromTheVertexAbove) {
+  const TriangleMesh mesh = load("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 8 8 8\n");
+  ASSERT_EQ(mesh.triangles.size(), 1u);
+  EXPECT_EQ(mesh.triangles[0], (std::array<std::uint32_t, 3>{1, 2, 3}));
+  EXPECT_INPUT_ERROR(load("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 -2 -1\n"),
+                     "face corner '-4' names no vertex above it");
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -72,6 +72,13 @@ TEST(CarmenLog, ARobotlaserLineHasItsOwnGeometryAndVelocities) {
   EXPECT_EQ(scan.max_range, 50.0);
 }
 
+// 180 beams are 181 of half a turn without the last one.
+TEST(CarmenLog, AnEvenNumberOfBeamsLacksTheLastOne) {
+  const RecordedLog log = parse_log("a.log", flaser(180, 3.25, 12.5));
+  EXPECT_EQ(scan_at(log, 1).first_bearing, -kPi / 2);
+  EXPECT_EQ(scan_at(log, 1).bearing_step, radians(1.0));
+}
+
 TEST(CarmenLog, ARearLaserLooksBack) {
   std::string line = flaser(181, 3.25, 12.5);
   line[0] = 'R';
@@ -114,6 +121,14 @@ TEST(CarmenLog, AStampOfZeroIsThatOfTheLineBefore) {
   EXPECT_EQ(odometry_at(log, 2).time, 12.5);
   EXPECT_EQ(to_string(log.warnings.at(0)),
             "a.log:2: no time stamp: that of the line before is taken");
+}
+
+// Of lasers that scan at one moment the odometry is one reading; a laser's own lines are two.
+TEST(CarmenLog, EachLineOfOneLaserHasItsOdometry) {
+  EXPECT_EQ(parse_log("a.log", kRobotLaser + kRobotLaser).measurements.size(), 4u);
+  std::string rear = kRobotLaser;
+  rear.replace(rear.find('1'), 1, "2");
+  EXPECT_EQ(parse_log("a.log", kRobotLaser + rear).measurements.size(), 3u);
 }
 
 TEST(CarmenLog, TheOldestLogsHaveOneStampOnly) {
