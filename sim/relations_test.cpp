@@ -70,5 +70,15 @@ TEST(Relations, ReachBackToThePlaceBeforeALoop) {
   expect_rows(rows_of(relations_text(path, {.shortest = 1.0, .longest = 12.0})), around);
 }
 
+// Back beside the second pose of the way: the first one is within the 2 m of a place, too.
+TEST(Relations, ReachBackToTheNearestPoseOfBefore) {
+  const Trajectory path{{0, {0, 0, 0}}, {1, {1.5, 0, 0}}, {2, {8, 0, 0}}, {3, {1.4, 0, 0}}};
+  const Rows rows = rows_of(relations_text(path, {.shortest = 1.0, .longest = 10.0}));
+  expect_rows(rows, {{0, 1, 1.5, 0, 0, 0, 0, 0},
+                     {1, 2, 6.5, 0, 0, 0, 0, 0},
+                     {2, 3, -6.6, 0, 0, 0, 0, 0},
+                     {1, 3, -0.1, 0, 0, 0, 0, 0}});
+}
+
 }  // namespace
 }  // namespace mapbed

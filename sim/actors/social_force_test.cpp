@@ -119,5 +119,22 @@ TEST(SocialForce, WhoStandsStaysAndLooksWhereHeWants) {
   EXPECT_NEAR(walkers[0].position.norm(), 0.0, 1e-6);
 }
 
+// Two who touch by 10 cm while they pass each other at 1 m/s, without what pushes them apart:
+// k2 o dv / m changes their speeds, nothing else does.
+TEST(SocialForce, BodiesThatRubSlowEachOtherDown) {
+  const NavigationMap plan(std::vector<Wall>{});
+  std::vector<Walker> walkers{walker_at({0.0, 0.0}, {0.0, 0.5}),
+                              walker_at({0.5, 0.0}, {0.0, -0.5})};
+  for (Walker& walker : walkers) walker.velocity = walker.wish;
+  SocialForceOptions options;
+  options.repulsion = options.stiffness = 0.0;
+  options.friction = 2.4e3;
+  advance(walkers, plan, {}, {}, options, kStep);
+  const double slower = options.friction * 0.1 * 1.0 / walkers[0].mass * kStep;
+  EXPECT_NEAR(walkers[0].velocity.y(), 0.5 - slower, 1e-9);
+  EXPECT_NEAR(walkers[1].velocity.y(), -0.5 + slower, 1e-9);
+  EXPECT_NEAR(walkers[0].velocity.x(), 0.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace mapbed

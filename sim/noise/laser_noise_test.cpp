@@ -141,6 +141,16 @@ TEST(LaserNoise, GlassAnswersByChanceElseTheBeamGoesOn) {
   EXPECT_EQ(fraction_of(readings(pane_and_wall, laser), 2.0, 2.0), 1.0);
 }
 
+// A pane behind a pane answers by its own chance: of what the first one lets through.
+TEST(LaserNoise, EachPaneOnTheWayAnswersByItsOwnChance) {
+  Echo first = wall_at(2.0F), second = wall_at(3.0F);
+  first.hit_probability = second.hit_probability = 0.3F;
+  const std::vector<double> ranges = readings({first, second, wall_at(5.0F)}, noiseless_laser());
+  EXPECT_NEAR(fraction_of(ranges, 2.0, 2.0), 0.3, fraction_bound(0.3));
+  EXPECT_NEAR(fraction_of(ranges, 3.0, 3.0), 0.7 * 0.3, fraction_bound(0.21));
+  EXPECT_NEAR(fraction_of(ranges, 5.0, 5.0), 0.7 * 0.7, fraction_bound(0.49));
+}
+
 class OnAnEdge : public ::testing::Test {
  protected:
   // 40 % of the spot on something 2 m away, 60 % on something `gap` behind it, equally bright.
@@ -202,6 +212,16 @@ TEST(LaserNoise, ABeamsDrawsDependOnNothingButItsOwnPlace) {
     ASSERT_EQ(before.ranges[k], after.ranges[k]);
   }
   EXPECT_NEAR(after.ranges[17] - before.ranges[17], -2.0, 1e-9);  // even its own error is the same
+}
+
+// A reading of 0 would mean that the beam failed.
+TEST(LaserNoise, WhatIsTooNearReadsTheLeastThereIs) {
+  MountedLaser laser = noiseless_laser();
+  laser.model.noise.step = 0.01;
+  for (const double range : readings({wall_at(0.002F)}, laser)) EXPECT_EQ(range, 0.01);
+  laser.model.noise.step = 0.0;
+  laser.model.noise.bias = -1.0;
+  for (const double range : readings({wall_at(0.5F)}, laser)) EXPECT_EQ(range, 0.001);
 }
 
 }  // namespace

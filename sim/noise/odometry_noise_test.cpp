@@ -91,6 +91,7 @@ TEST(OdometryNoise, TheEndTurnErrsWithWayAndTurn) {
       .end_turn_bias = 0.1, .end_turn_per_meter = 0.03, .end_turn_per_radian = 0.04};
   const double sigma = std::sqrt(0.03 * 0.03 * 0.25 + 0.04 * 0.04 * 0.2);
   expect_moments(moments({0.25, 0.0, 0.2}, model, turn), 0.22, sigma);
+  expect_moments(moments({0.25, 0.0, -0.2}, model, turn), -0.22, sigma);  // too far to both sides
 }
 
 TEST(OdometryNoise, BackingUpKeepsItsDirection) {
