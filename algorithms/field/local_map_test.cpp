@@ -39,6 +39,12 @@ TEST(LocalMap, TakesScansThatWereTurnedOnTheSpot) {
               ElementsAre(2, 0));
 }
 
+TEST(LocalMap, MeasuresTurnsTheShortWayRound) {
+  const LocalMapOptions options{
+      .max_scans = 9, .max_history = 100, .min_distance = 1, .min_turn = 0.5};
+  EXPECT_THAT(select_local_scans({{0, 0, 3.1}, {0, 0, -3.1}}, options), ElementsAre(1));
+}
+
 TEST(LocalMap, OfNoScansIsEmpty) {
   EXPECT_TRUE(select_local_scans({}, {}).empty());
 }

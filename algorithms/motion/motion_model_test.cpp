@@ -90,5 +90,21 @@ TEST(MotionModel, TheGaussianIsInTheFrameOfTheEnd) {
   EXPECT_NEAR(covariance(0, 1), -0.005, 1e-5);
 }
 
+// An error of 0.1 rad of the first rotation alone carries the end of 1 m aside and turns it. Seen
+// from an end that is turned by 45 degrees to the left, aside is (1, 1) / sqrt(2).
+TEST(MotionModel, AnErrorOfTheFirstRotationCarriesTheEndAside) {
+  MotionModelOptions options = kWithoutErrors;
+  options.rotation_per_meter = 0.1;        // of the second rotation too, which turns the end alone
+  options.least_translation_sigma = 1e-3;  // 1e-6 in variances
+  const Eigen::Matrix3d covariance =
+      gaussian_after({}, composed({0.0, 1.0, kPi / 4}), options).information.inverse();
+  const double variance = 0.01;
+  EXPECT_NEAR(covariance(0, 0), 0.5 * variance, 1e-5);
+  EXPECT_NEAR(covariance(0, 1), 0.5 * variance, 1e-5);
+  EXPECT_NEAR(covariance(0, 2), std::sqrt(0.5) * variance, 1e-5);
+  EXPECT_NEAR(covariance(1, 2), std::sqrt(0.5) * variance, 1e-5);
+  EXPECT_NEAR(covariance(2, 2), 2.0 * variance, 1e-5);
+}
+
 }  // namespace
 }  // namespace mapbed

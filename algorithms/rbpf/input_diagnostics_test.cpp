@@ -91,6 +91,15 @@ TEST(InputDiagnostics, TellOfAPauseInWhichTheRobotWentOnAndOfNoOther) {
               ElementsAre(HasSubstr("no scan from 12.0 s to 24.0 s after the start")));
 }
 
+TEST(InputDiagnostics, TellOfAPauseInWhichTheRobotTurned) {
+  for (const double turn : {-2.0, 2.0}) {
+    InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
+    diagnostics.scan(0.0, Pose2{}, true);
+    diagnostics.scan(12.0, Pose2{0.0, 0.0, turn}, true);
+    EXPECT_THAT(diagnostics.remarks(), ElementsAre(HasSubstr("no scan from 0.0 s to 12.0 s")));
+  }
+}
+
 TEST(InputDiagnostics, TellOfALaserThatSeesNothing) {
   InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
   for (int i = 0; i < 4; ++i) diagnostics.scan(i, Pose2{}, i == 0);

@@ -71,6 +71,16 @@ TEST_F(CarriedRobot, IsNotBelievedWhereTheMotionBetweenSaysOtherwise) {
   EXPECT_FALSE(relocalization.find(view(), kNotThere * kOn).relocated_to);
 }
 
+// Between the two the robot went on unseen, and the newest step alone does not tell how far.
+TEST_F(CarriedRobot, IsNotBelievedWhereAnUpdateBetweenWasNotLookedAt) {
+  Relocalization relocalization = this->relocalization();
+  sees(kFirst, kNotThere);
+  relocalization.find(view(), kNotThere);
+  sees(kFirst, kNotThere);
+  sees(kFirst * kOn, kNotThere * kOn);
+  EXPECT_FALSE(relocalization.find(view(), kNotThere * kOn).relocated_to);
+}
+
 TEST_F(CarriedRobot, IsSoughtForSoManyUpdates) {
   const Relocalization relocalization = this->relocalization({.max_updates = 2});
   EXPECT_EQ(relocalization.first_update(), kBefore.size());

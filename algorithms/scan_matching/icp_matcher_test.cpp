@@ -90,5 +90,31 @@ TEST(IcpMatcher, KeepsThePredictionWhenNothingWasHit) {
   EXPECT_FALSE(match.trustworthy);
 }
 
+// A wall 1 m to the left, and somebody 0.2 m before it who covers a fifth of the scan. Least
+// squares would move the robot by 0.2 m / 5; by Cauchy's weights each of those pulls by d / (1 + (d
+// / s)^2).
+TEST(IcpMatcher, WhatStandsBeforeAWallPullsLittle) {
+  std::vector<SurfacePoint> map;
+  add_wall(map, {-4.0, 1.0}, {4.0, 1.0});
+  Points points;
+  for (int i = -20; i < 20; ++i) points.emplace_back(0.1 * i, 1.0);
+  for (int i = -20; i < 20; i += 4) points.emplace_back(0.1 * i, 0.8);
+  const PosePrior prediction = independent_prior({}, 0.1, 10.0, 10.0);
+  const ScanMatch match = match_icp(points, IcpMap(map), prediction);
+  const double sigmas = 0.2 / IcpMatcherOptions{}.sigma;
+  const double pull = 10.0 * 0.2 / (1.0 + sigmas * sigmas);
+  EXPECT_NEAR(match.map_from_robot.y, pull / 40.0, 0.2 * pull / 40.0);
+}
+
+TEST(IcpMatcher, PairsReachAsFarAsTheyMay) {
+  std::vector<SurfacePoint> map;
+  add_wall(map, {-1.0, 0.0}, {1.0, 0.0});
+  const IcpMap tree(map);
+  EXPECT_NE(tree.nearest({0.0, 0.49}, 0.5), nullptr);
+  EXPECT_EQ(tree.nearest({0.0, 0.51}, 0.5), nullptr);
+  EXPECT_NE(tree.nearest({0.0, 1.9}, 2.0), nullptr);
+  EXPECT_EQ(tree.nearest({0.0, 2.1}, 2.0), nullptr);
+}
+
 }  // namespace
 }  // namespace mapbed
