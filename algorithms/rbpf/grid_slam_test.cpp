@@ -131,5 +131,24 @@ TEST(GridSlam, BeforeTheFirstScanBelievesNothing) {
   EXPECT_EQ(slam.pose(), Pose2{});
 }
 
+// The last scan sees nothing, which changes no weight: those are what resampling left.
+TEST(GridSlam, ParticlesWeighTheSameAfterResampling) {
+  GridSlamOptions options;
+  options.particles = 10;
+  options.proposal = Proposal::odometry;
+  options.resampling = Resampling::always;
+  GridSlam slam(options, Rng(1));
+  for (int i = 0; i < 4; ++i) {
+    slam.add(Odometry{.time = 1.0 * i, .odometry_from_robot = {0.6 * i, 0.0, 0.0}});
+    LaserScan scan = scan_of(rectangular_room(6.0, 4.0), {0.6 * i - 1.0, 0.0, 0.0}, {}, 1.0 * i);
+    if (i == 3) std::fill(scan.ranges.begin(), scan.ranges.end(), 0.0);
+    slam.add(scan);
+  }
+  const std::vector<Diversity> updates = slam.hypotheses().diversity;
+  ASSERT_EQ(updates.size(), 4U);
+  EXPECT_LT(updates[2].effective_number, 9.9);  // until they are drawn anew, they differ
+  EXPECT_NEAR(updates[3].effective_number, 10.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -84,5 +84,46 @@ TEST(CorrelativeMatcher, KeepsThePredictionWhenNothingWasHit) {
   EXPECT_FALSE(match.trustworthy);
 }
 
+// The prior ties place and heading: 2 m to the left for each radian, as behind a long lever. Where
+// the robot is, 0.4 m and 0.2 rad off the mean, it says as much for it as at the mean itself.
+TEST(CorrelativeMatcher, FindsTheOptimumOfAPriorThatTiesPlaceAndHeading) {
+  TestRoom room = rectangular_room(6.0, 4.0);
+  room.add_box({1.0, 0.6}, 0.8, 0.5, 0.4);
+  const Pose2 guess{0.3, -0.6, 0.0}, truth{0.3, -0.2, 0.2};  // both on the lattice
+  LikelihoodField field;
+  field.add(transformed(surface_points(scan_of(room, truth), 30.0, 0.2, 0.05), truth));
+  const FieldPoints points =
+      to_field_points(hit_points(scan_of(room, truth), {.min_spacing = 0.2}), field.resolution());
+  const Eigen::Vector3d across(0.0, 1.0, -2.0);  // of errors that it does not allow
+  const PosePrior prior{.mean = guess,
+                        .information = 1e4 * across * across.transpose() +
+                                       Eigen::Matrix3d(Eigen::Matrix3d::Identity())};
+  const CorrelativeMatcherOptions options{.window = 0.6, .turn_window = 0.4, .turn_step = 0.04};
+
+  const ScanMatch fast =
+      match_correlative(points, field, make_bound_pyramid(field, options.window), prior, options);
+
+  EXPECT_THAT(fast.map_from_robot, IsNear(truth, Tolerance{1e-9, 1e-9}));
+  const ScanMatch plain = match_exhaustive(points, field, prior, options);
+  EXPECT_NEAR(fast.log_posterior, plain.log_posterior, 1e-6);
+}
+
+// 8 cm are a cell and a half of 5 cm: a robot 10 cm off is found.
+TEST(CorrelativeMatcher, SearchesTheWholeCellsThatItsWindowReachesInto) {
+  TestRoom room = rectangular_room(6.0, 4.0);
+  room.add_box({1.0, 0.6}, 0.8, 0.5, 0.4);
+  const Pose2 truth{0.3, -0.2, 0.1};
+  LikelihoodField field;
+  field.add(transformed(surface_points(scan_of(room, truth), 30.0, 0.2, 0.05), truth));
+  const FieldPoints points = to_field_points(hit_points(scan_of(room, truth), {}), 0.05);
+  const CorrelativeMatcherOptions options{.window = 0.08, .turn_window = 0.0, .turn_step = 0.04};
+  const BoundPyramid pyramid = make_bound_pyramid(field, options.window);
+  for (const double off : {-0.1, 0.1}) {
+    const PosePrior guess{.mean = {truth.x + off, truth.y - off, truth.theta}};
+    EXPECT_THAT(match_correlative(points, field, pyramid, guess, options).map_from_robot,
+                IsNear(truth, Tolerance{1e-9, 1e-9}));
+  }
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -178,5 +178,27 @@ TEST(OdometryTrack, ReachesAStampBetweenAndAfterItsReadings) {
   EXPECT_FALSE(track.at(9.0));
 }
 
+// Of the posts in a corridor two stand where they did, far off; three near ones were all moved 0.4
+// m back, so 0.4 m ahead a few beams more find something where a post was. Odometry says that the
+// robot stood.
+TEST(IncrementalMatcher, StaysWhereOdometryHasItUnlessAnotherPlaceIsClearlyBetter) {
+  const auto with_posts = [](const std::vector<double>& places) {
+    TestRoom room = corridor(60.0);
+    double side = 0.7;
+    for (const double x : places) room.add_box({x, side = -side}, 0.2, 0.2);
+    return room;
+  };
+  const TestLaser all_round{.beams = 360, .first_bearing = -kPi};
+  IncrementalMatcherOptions options;
+  options.search_below = 1.0;  // every climb is checked
+  options.motion.position_sigma = 1.0;
+  IncrementalMatcher matcher(options);
+  matcher.add(Odometry{.time = 0.0});
+  matcher.add(scan_of(with_posts({1.0, -1.7, 2.3, 3.9, -3.1}), {}, all_round, 0.0));
+  matcher.add(Odometry{.time = 1.0});
+  matcher.add(scan_of(with_posts({0.6, -2.1, 1.9, 3.9, -3.1}), {}, all_round, 1.0));
+  EXPECT_THAT(matcher.pose(), IsNear(Pose2{}, Tolerance{0.05, 0.02}));
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -106,5 +106,21 @@ TEST(MatchCovariance, IsThatOfThePredictionWhereTheMapSaysNothing) {
   EXPECT_TRUE(nothing_seen.isApprox(prediction.information.inverse(), 1e-3));
 }
 
+// Ten points at one place before a wall, 2 cm off: their slopes are all the same, so the scatter of
+// ten that err together is ten times that of ten that err each by itself.
+TEST(MatchCovariance, NeighbouringBeamsErrTogether) {
+  std::vector<SurfacePoint> wall;
+  for (int i = -100; i <= 100; ++i) wall.push_back({{0.01 * i, 1.0}, {1.0, 0.0}});
+  LikelihoodField field;
+  field.add(wall);
+  const FieldPoints points = to_field_points(
+      std::vector<Eigen::Vector2d>(10, Eigen::Vector2d(0.0, 0.98)), field.resolution());
+  const auto variance_across = [&](int together) {
+    return match_covariance({}, points, field, {}, {.beams_together = together})(1, 1);
+  };
+  EXPECT_NEAR(variance_across(10) / variance_across(1), 10.0, 0.01);
+  EXPECT_NEAR(variance_across(5) / variance_across(1), 5.0, 0.01);
+}
+
 }  // namespace
 }  // namespace mapbed

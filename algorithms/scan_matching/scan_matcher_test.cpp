@@ -86,5 +86,25 @@ TEST(ScanMatcher, IsNotCaughtOnTheRidgeOfACorridorThatLiesAslant) {
   }
 }
 
+// Gauss-Newton may go far astray from where the climb ended: then it has to be worth it.
+TEST(ScanMatcher, PolishingImprovesTheClimbOrStaysBesideIt) {
+  const TestRoom room = corridor(60.0);
+  const LikelihoodField field = field_of(room, {});
+  const FieldPoints points = points_of(scan_of(room, {}), field);
+  for (const double ahead : {-0.2, 0.0}) {
+    for (const double aside : {-0.3, -0.1, 0.1, 0.3}) {
+      for (const double turn : {-0.3, -0.1, 0.1, 0.3}) {
+        const PosePrior prediction = independent_prior({ahead, aside, turn}, 0.05, 0.05, 0.03);
+        const ScanMatch climb = match_scan(points, field, prediction, {.polish_iterations = 0});
+        const ScanMatch match = match_scan(points, field, prediction);
+        const double moved = distance(match.map_from_robot, climb.map_from_robot);
+        EXPECT_TRUE(match.log_posterior >= climb.log_posterior ||
+                    moved <= ScanMatcherOptions{}.last_step)
+            << ahead << " " << aside << " " << turn << ": moved by " << moved;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mapbed
