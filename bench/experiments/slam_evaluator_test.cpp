@@ -93,6 +93,15 @@ TEST_F(SlamEvaluatorOf, APathFarOffFailsInWords) {
   EXPECT_EQ(SlamEvaluator(options_, input_, estimate_).failure(), "largest position error 2.50 m");
 }
 
+// A first pose turned by 0.1 rad swings the rest of the 5 m round by a chord; a last one turned
+// says nothing of where the robot was.
+TEST_F(SlamEvaluatorOf, TheLargestErrorIsThatWithTheFirstPosesAligned) {
+  estimate_.trajectory.back().pose.theta = 0.3;
+  EXPECT_NEAR(values()["largest_error"], 0.0, 1e-9);
+  estimate_.trajectory.front().pose.theta = 0.1;
+  EXPECT_NEAR(values()["largest_error"], 2.0 * 5.0 * std::sin(0.05), 1e-9);
+}
+
 TEST_F(SlamEvaluatorOf, ALogWithoutTruthIsEvaluatedByItselfAlone) {
   input_.truth.clear();
   for (const auto& [name, value] : values()) {

@@ -115,5 +115,24 @@ TEST(DoubledWalls, AreNotLookedForAtCornersAndPosts) {
   EXPECT_EQ(doubled_walls(map, truth).walls, 3);  // the cell, and those beside it
 }
 
+// A wall upright in the picture at column 20, and a second one 1 m beside it: the reach, so the
+// strip's very last look, half a cell on, is the one that meets it.
+TEST(DoubledWalls, AreSeenAtTheReachToEitherSideAndNotBeyond) {
+  const auto fraction_with_wall_at = [](int second) {
+    TrueMap truth{.resolution = 0.1, .width = kSide, .height = kSide};
+    truth.cells.assign(std::size_t{kSide} * kSide, TrueCell::free);
+    OccupancyMap map(0.1);
+    for (int y = 0; y < kSide; ++y) {
+      truth.cells[truth.index(20, y)] = TrueCell::occupied;
+      for (int x = 0; x < kSide; ++x) map.at({x, y}) = known(x == 20 || x == second ? 0.9 : 0.1);
+    }
+    return doubled_walls(map, truth, {.reach = 1.0}).fraction();
+  };
+  EXPECT_DOUBLE_EQ(fraction_with_wall_at(10), 1.0);
+  EXPECT_DOUBLE_EQ(fraction_with_wall_at(30), 1.0);
+  EXPECT_DOUBLE_EQ(fraction_with_wall_at(9), 0.0);
+  EXPECT_DOUBLE_EQ(fraction_with_wall_at(31), 0.0);
+}
+
 }  // namespace
 }  // namespace mapbed

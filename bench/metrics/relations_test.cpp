@@ -89,6 +89,15 @@ TEST(Relations, DoNotDependOnTheOrderInTheFile) {
   EXPECT_EQ(relations_error(estimate, relations).mean_translation, in_order);
 }
 
+// Where a path ends with two poses of one stamp there is no way between them: it ends at the one
+// behind.
+TEST(Relations, OfTwoPosesWithOneStampTheOneBehindCounts) {
+  Trajectory estimate = straight();
+  estimate.push_back({10.0, {11, 0, 0}});
+  const RelationsError error = relations_error(estimate, {{0.0, 10.0, {11, 0, 0}}});
+  EXPECT_NEAR(error.mean_translation, 0.0, kRounding);
+}
+
 TEST(Relations, ASinglePoseServesTheStampsAroundIt) {
   const RelationsError error = relations_error({{0.0, {1, 2, 0}}}, {{-1.0, 1.0, {}}});
   EXPECT_EQ(error.count, 1);

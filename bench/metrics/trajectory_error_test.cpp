@@ -42,6 +42,13 @@ TEST(Association, IsByThePosesOfTheShorterTrajectory) {
   EXPECT_EQ(pairs[0].truth.x, 7.0);
 }
 
+TEST(Association, TakesTheEarlierOneOfTwoStampsThatAreAsNear) {
+  const Trajectory truth{{0.0, {3, 0, 0}}, {1.0, {4, 0, 0}}, {2.0, {}}};
+  const std::vector<PosePair> pairs = associated(truth, {{0.5, {}}}, 0.6);
+  ASSERT_EQ(pairs.size(), 1U);
+  EXPECT_EQ(pairs[0].truth.x, 3.0);
+}
+
 TEST(Statistics, OfFourNumbersAreThoseByHand) {
   const ErrorStatistics s = statistics_of({4.0, 1.0, 3.0, 2.0});
   EXPECT_EQ(s.count, 4);

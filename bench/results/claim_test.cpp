@@ -62,6 +62,18 @@ TEST(Claim, ARunWithoutAValueSpeaksAgainstIt) {
   EXPECT_THAT(result.measured, ::testing::HasSubstr("1 runs without a value"));
 }
 
+TEST(Claim, ATotalIsTheSumOfTheValuesThatThereAre) {
+  const Results results = results_of({{1, 2}, {0, 4}, {3, kNone}}, {{1, 1}, {1, 1}, {1, 1}});
+  const auto total_at = [&](const std::string& level, const std::string& bound) {
+    return judged(
+        "{metric: error, of: a, statistic: total, at_most: " + bound + ", at: {x: " + level + "}}",
+        results);
+  };
+  EXPECT_TRUE(total_at("1", "3 m").held);
+  EXPECT_FALSE(total_at("2", "3.9 m").held);
+  EXPECT_EQ(total_at("3", "9 m").measured, "3 m against 9 m (1 runs without a value)");
+}
+
 TEST(Claim, IsNotJudgedWhereTheQuickRunHasNoSuchLevel) {
   Results results = results_of({{1}, {1}, {1}}, {{2}, {2}, {2}});
   results.quick = true;
@@ -128,6 +140,15 @@ TEST(Claim, ASignTestNeedsEnoughPairs) {
   EXPECT_TRUE(judged("{metric: error, of: a, below: b, test: sign}",
                      results_of({low, low, low}, {high, high, high}))
                   .held);
+}
+
+// 3 m against 2 m, where up to twice as much will do.
+TEST(Claim, ASignTestComparesWithAsManyTimesTheOther) {
+  const std::vector<double> own(6, 3.0);
+  const std::vector<double> other(6, 2.0);
+  const Results results = results_of({own, own, own}, {other, other, other});
+  EXPECT_TRUE(judged("{metric: error, of: a, below: b, times: 2, test: sign}", results).held);
+  EXPECT_FALSE(judged("{metric: error, of: a, below: b, times: 1.4, test: sign}", results).held);
 }
 
 // All of four pairs are one way by chance in one of 16 cases, all of five in one of 32.

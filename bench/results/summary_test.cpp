@@ -23,6 +23,11 @@ TEST(Summary, CountsFailedRunsAndThoseWithoutValue) {
   EXPECT_EQ(rows[0].missing, 1);
   EXPECT_DOUBLE_EQ(rows[0].mean, 3.0);
   EXPECT_DOUBLE_EQ(rows[0].median, 4.0);
+  EXPECT_DOUBLE_EQ(rows[0].min, 1.0);
+  EXPECT_DOUBLE_EQ(rows[0].max, 4.0);
+  // Of 27 resamples of 1, 4 and 4 one has the mean 1, eight have 4: more than 2.5 % each.
+  EXPECT_DOUBLE_EQ(rows[0].low, 1.0);
+  EXPECT_DOUBLE_EQ(rows[0].high, 4.0);
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ TEST(Journal, ALineOfSomethingElseDoesNotCountEvenWithTheRightChecksum) {
   const TemporaryFolder folder;
   const std::string path = folder.file("journal");
   { Journal journal(path, "identity", 1); }
-  for (const std::string line : {"x,9,,,,,,,0.1\n", "-1,9,,,,,,,0.1\n", "3,9,,,,,,\n"}) {
+  for (const std::string line :
+       {"x,9,,,,,,,,0.1\n", "-1,9,,,,,,,,0.1\n", "3,9,,,,,,,\n", "3,9,,,,,,,,0.1,0.2\n"}) {
     std::ofstream(path, std::ios::app) << sha256(line).substr(0, 16) + "," + line;
     EXPECT_TRUE(Journal(path, "identity", 1).found().empty()) << line;
   }

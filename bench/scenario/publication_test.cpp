@@ -11,6 +11,7 @@
 #include "core/file/atomic_file.h"
 #include "core/file/text_file.h"
 #include "core/testing/temporary_folder.h"
+#include "core/testing/throws_input_error.h"
 
 namespace mapbed {
 namespace {
@@ -125,6 +126,16 @@ TEST_F(Publication, IsEndedWhereverItWasStopped) {
     EXPECT_EQ(read_text_file(path("maps/map.png")), "new");
     EXPECT_EQ(folder_.files(), 2u);
   }
+}
+
+// Somebody's folder stands where a table belongs.
+TEST_F(Publication, WithoutAllOfItsFilesTheFolderIsNoResultYet) {
+  write("provenance.json/own.txt", "in the way");
+  EXPECT_INPUT_ERROR(publish_with_map(result("new", "success", "new.png")), "cannot be written");
+  EXPECT_FALSE(is_result_folder(path("")));
+  fs::remove_all(path("provenance.json"));
+  finish_publication(path(""));
+  EXPECT_EQ(load_results(path("")).id, "new");
 }
 
 }  // namespace
