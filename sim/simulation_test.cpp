@@ -1,5 +1,6 @@
 #include "sim/simulation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -133,6 +134,49 @@ TEST(Simulation, WhoWalksAloneDoesSoAtHisDrawnSpeed) {
   }
   EXPECT_NEAR(speeds.mean(), 1.1, 5 * 0.1 / std::sqrt(kWalkers));
   EXPECT_NEAR(speeds.sigma(), 0.1, 5 * 0.1 / std::sqrt(2.0 * kWalkers));
+}
+
+// A sweep of a second in one slice: who walks by is seen where he was half a second after it began.
+TEST(Simulation, WhatMovesStandsAsInTheMiddleOfASlice) {
+  World world = small_room(20.0, 4.0);
+  world.crowd = {.pause_fraction = 0.0,
+                 .group_fraction = 0.0,
+                 .routes = {{.name = "along", .points = {{1.0, 1.0}, {19.0, 1.0}}}}};
+  Robot robot = round_robot();
+  LaserModel laser;
+  laser.beams = 1800;
+  laser.bearing_step = -laser.first_bearing / 900;
+  laser.max_range = 50.0;
+  laser.mirror_rate = 0.5;
+  laser.aperture = laser.divergence = 0.0;
+  robot.sensors = {{.name = "front", .robot_from_sensor = {.z = 0.4}, .model = laser}};
+  const Pose2 stands{10.0, 3.2, -1.5707963267948966};  // looks across the room
+  Simulation simulation(world, robot, stands,
+                        {.sweep_slices = 1, .actors = {.people = {.walkers = 1}}}, Rng(1));
+  for (int i = 0; i < 400; ++i) simulation.step({});
+  const Situation middle = simulation.at(3.5 - 0.5 / 1800);
+
+  const Simulation::Sweep sweep = simulation.sweep(0, 3.0, 0);
+
+  int seen = 0;
+  for (std::size_t k = 0; k < sweep.truth.beams.size(); ++k) {
+    const BeamTruth& beam = sweep.truth.beams[k];
+    if (beam.entity < 4) continue;  // a wall
+    ++seen;
+    const double angle =
+        stands.theta + laser.first_bearing + static_cast<double>(k) * laser.bearing_step;
+    const Vector2d hit =
+        stands.position() + double{beam.range} * Vector2d(std::cos(angle), std::sin(angle));
+    const auto part = std::find_if(middle.moving.begin(), middle.moving.end(), [&](const auto& p) {
+      return p.entity == beam.entity && p.part == beam.part;
+    });
+    ASSERT_NE(part, middle.moving.end());
+    const auto index = static_cast<std::size_t>(beam.part);
+    const Geometry& geometry = simulation.entity(beam.entity).parts[index].geometry;
+    const Vector2d from_axis = hit - part->world_from_part.position.head<2>();
+    EXPECT_NEAR(from_axis.norm(), std::get<Cylinder>(geometry).radius, 1e-3) << k;
+  }
+  EXPECT_GT(seen, 10);
 }
 
 }  // namespace

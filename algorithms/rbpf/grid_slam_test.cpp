@@ -1,5 +1,7 @@
 #include "algorithms/rbpf/grid_slam.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
