@@ -10,12 +10,17 @@
 namespace mapbed {
 namespace {
 
-void check_footprint(const ConfigNode& node, const RobotFootprint& footprint) {
+constexpr double kSmallest = 0.01;  // [m] of a footprint; smaller bodies are none to the physics
+
+void check_footprint(const SourceLocation& place, const RobotFootprint& footprint) {
   const bool is_box = footprint.length > 0.0 && footprint.width > 0.0;
   const bool half_a_box = (footprint.length > 0.0) != (footprint.width > 0.0);
   if (half_a_box || is_box == (footprint.radius > 0.0)) {
-    throw InputError(node.place(), "the footprint is neither a circle nor a box",
+    throw InputError(place, "the footprint is neither a circle nor a box",
                      "give either radius, or length and width");
+  }
+  if (footprint.inner_radius() < kSmallest / 2.0) {
+    throw InputError(place, "the footprint is narrower than 1 cm", "give the robot's own size");
   }
 }
 
@@ -89,13 +94,18 @@ Robot load_robot(const std::string& name_or_path) {
   robot.name = path.stem().string();
   // Before there are sensors, whose names are not keys of the file.
   read_options(file, options_of(robot));
-  check_footprint(file.at("footprint"), robot.footprint);
+  check_footprint(file.at("footprint").place(), robot.footprint);
   robot.sensors = sensors_of(file);
   for (const MountedSensor& sensor : robot.sensors) {
     merge({input_file(sensor_file(sensor.file))}, robot.files);
   }
   file.check_all_used("the robot");
   return robot;
+}
+
+void check_robot(const Robot& robot, const SourceLocation& place) {
+  check_footprint(place, robot.footprint);
+  for (const MountedSensor& sensor : robot.sensors) check_sensor(sensor.model, place);
 }
 
 std::vector<std::string> robot_names() {

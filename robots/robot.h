@@ -87,6 +87,10 @@ void visit_fields(Robot& o, Visitor&& visit) {
 // folder. Throws InputError with place, reason and remedy.
 Robot load_robot(const std::string& name_or_path);
 
+// Throws InputError where the values do not go together, with `place` in the message: load_robot
+// did so already, settings may have changed some since.
+void check_robot(const Robot& robot, const SourceLocation& place);
+
 std::vector<std::string> robot_names();
 
 }  // namespace mapbed

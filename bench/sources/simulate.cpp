@@ -143,7 +143,7 @@ PreparedSimulation prepare_simulation(const SimulationPlan& plan, SimulationPart
     people = with_people(people, world->crowd, plan.people);
   }
   apply(settings.others, options_of(options), "the simulation");
-  for (const MountedSensor& sensor : prepared.robot.sensors) check_sensor(sensor.model, {});
+  check_robot(prepared.robot, {});
   if (lasers_of(prepared.robot).empty()) {
     throw InputError("robot '" + plan.robot + "' has no laser; add one to its sensors");
   }

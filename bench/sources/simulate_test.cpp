@@ -110,6 +110,12 @@ TEST(Simulate, SensorSettingsThatDoNotGoTogetherAreRefused) {
   EXPECT_INPUT_ERROR(prepare_simulation(plan), "sweeps come faster than the mirror turns");
 }
 
+TEST(Simulate, SettingsThatLeaveARobotWithoutAFootprintAreRefused) {
+  SimulationPlan plan = short_drive(0);
+  plan.settings.push_back(parse_setting("robot.footprint.width=0 m"));
+  EXPECT_INPUT_ERROR(prepare_simulation(plan), "the footprint is neither a circle nor a box");
+}
+
 TEST(Simulate, PartsAreReadAndBuiltOnce) {
   SimulationParts parts;
   SimulationPlan plan = short_drive(0);
