@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "core/check.h"
 #include "core/config/quantity.h"
 #include "core/config/renamed_options.h"
@@ -38,18 +40,25 @@ std::string example_of(ConfigNode::Kind kind) {
   return {};
 }
 
+// As it may be written where it stands: a whole number has no exponent.
+std::string bound_text(double bound, Unit unit, bool is_whole) {
+  return is_whole ? fmt::format("{:.0f}", bound) : quantity_text(bound, unit);
+}
+
 // Comparisons are written so that every value lies within kAnyValue.
-void check_bounds(double value, Unit unit, const Bounds& bounds, const std::string& text,
-                  const SourceLocation& place) {
+void check_bounds(double value, Unit unit, const Bounds& bounds, bool is_whole,
+                  const std::string& text, const SourceLocation& place) {
   const bool too_low = bounds.low_itself ? value < bounds.low : value <= bounds.low;
   const bool too_high = value > bounds.high;
   if (!too_low && !too_high) return;
   std::string range;
   if (std::isfinite(bounds.low)) {
-    range = (bounds.low_itself ? "at least " : "more than ") + quantity_text(bounds.low, unit);
+    range =
+        (bounds.low_itself ? "at least " : "more than ") + bound_text(bounds.low, unit, is_whole);
   }
   if (std::isfinite(bounds.high)) {
-    range += (range.empty() ? "at most " : " and at most ") + quantity_text(bounds.high, unit);
+    range +=
+        (range.empty() ? "at most " : " and at most ") + bound_text(bounds.high, unit, is_whole);
   }
   throw InputError(place, in_quotes(text) + " is too " + (too_low ? "small" : "large"),
                    "it must be " + range);
@@ -68,7 +77,7 @@ Integer parse_integer(const std::string& text, const Bounds& bounds, const Sourc
     throw InputError(place, in_quotes(text) + " is not a whole number",
                      sign ? "write e.g. '3', it cannot be negative" : "write e.g. '3'");
   }
-  check_bounds(static_cast<double>(value), Unit::none, bounds, text, place);
+  check_bounds(static_cast<double>(value), Unit::none, bounds, true, text, place);
   return value;
 }
 
@@ -104,7 +113,7 @@ const std::string& ConfigNode::text() const {
 
 double ConfigNode::number(Unit unit, const Bounds& bounds) const {
   const double value = parse_quantity(text(), unit, place_);
-  check_bounds(value, unit, finite_bounds(unit, bounds), text_, place_);
+  check_bounds(value, unit, finite_bounds(unit, bounds), false, text_, place_);
   return value;
 }
 

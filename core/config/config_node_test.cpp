@@ -76,6 +76,9 @@ TEST(ConfigNode, MissingKeysAndWrongKindsAreErrorsWithTheirPlace) {
   EXPECT_INPUT_ERROR(file.at("list").whole_numbers(), "x.yaml:2: 'x' is not a whole number");
   EXPECT_INPUT_ERROR(file.at("a").number(Unit::meter), "x.yaml:1: '1' needs a unit");
   EXPECT_INPUT_ERROR(file.at("a").number(Unit::none, at_least(2)), "it must be at least 2");
+  // As it can be written: '1e+05' is not a whole number.
+  EXPECT_INPUT_ERROR(file.at("a").whole_number(between(1e5, 1e6)),
+                     "it must be at least 100000 and at most 1000000");
   EXPECT_EQ(file.find("b"), nullptr);
 }
 
