@@ -6,21 +6,26 @@
 #include <fmt/format.h>
 
 #include "core/input_error.h"
+#include "core/sensor/measurement.h"
 
 namespace mapbed {
 namespace {
 
+// A list takes up to three times its items while it grows; readings become a log, too.
+constexpr std::size_t kWhileGrowing = 3;
+
 std::size_t bytes_of(const IdealReading& reading) {
+  const std::size_t itself = kWhileGrowing * (sizeof reading + sizeof(Measurement));
   const auto* scan = std::get_if<IdealScan>(&reading);
-  if (scan == nullptr) return sizeof reading;
-  return sizeof reading + scan->echoes.size() * sizeof(Echo) +
-         scan->first_echo.size() * sizeof(std::uint32_t);
+  if (scan == nullptr) return itself;
+  return itself + scan->echoes.size() * sizeof(Echo) +
+         scan->first_echo.size() * (sizeof(std::uint32_t) + sizeof(double));
 }
 std::size_t bytes_of(const StampedStates& states) {
-  return sizeof states + states.moving.size() * sizeof(MovingPose);
+  return kWhileGrowing * sizeof states + states.moving.size() * sizeof(MovingPose);
 }
 std::size_t bytes_of(const BeamTruthOfScan& scan) {
-  return sizeof scan + scan.beams.size() * sizeof(BeamTruth);
+  return kWhileGrowing * sizeof scan + scan.beams.size() * sizeof(BeamTruth);
 }
 
 }  // namespace

@@ -24,8 +24,11 @@ struct RecordingSink {
   std::function<void(BeamTruthOfScan&&)> beams = {};
 };
 
+// [bytes] of a recording and its log; maps need memory besides.
+inline constexpr std::size_t kMostRecorded = 1'500'000'000;
+
 // Keeps everything in memory: in `recording`, which must outlive the sink. InputError where that
 // gets more than `max_bytes`: an hour of a scanner of 180 beams, ten times a second, fits.
-RecordingSink sink_into(Recording& recording, std::size_t max_bytes = 2'500'000'000);
+RecordingSink sink_into(Recording& recording, std::size_t max_bytes = kMostRecorded);
 
 }  // namespace mapbed

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kOverTheFloor = 0.02;  // [m] what is lower is walked and driven over
 constexpr double kHeadHeight = 1.9;     // [m] people walk under what is higher
+constexpr double kMostHistory = 5e8;    // [bytes]
 
 void check_start(const World& world, const Robot& robot, const Pose2& start) {
   for (const Footprint& f : footprints(world, kOverTheFloor, robot.height)) {
@@ -107,11 +108,13 @@ struct Simulation::State {
     }
     for (const Obstacle& obstacle : obstacles) bodies.push_back(physics.add(obstacle));
     take_note();
+    check_history();
   }
 
   void step(const DriveCommand& command);
   void move_actors();
   void take_note();
+  void check_history() const;
   void arrange_scene(const Situation& situation);
   std::vector<std::vector<AimedBeam>> beams_by_slice(const LaserModel& laser, const Pose2& first,
                                                      const Pose2& last) const;
@@ -142,6 +145,18 @@ void Simulation::State::take_note() {
   for (const auto& actor : actors) actor->append_poses(now.moving);
   history.push_back(now);
   while (history.front().time < now.time - history_length - options.step) history.pop_front();
+}
+
+// A slow mirror keeps everything that moves for the length of its sweep.
+void Simulation::State::check_history() const {
+  const double moments = history_length / options.step;
+  const double bytes = static_cast<double>(sizeof(Situation)) +
+                       static_cast<double>(sizeof(MovingPose) * now.moving.size());
+  if (moments * bytes <= kMostHistory) return;
+  throw InputError(fmt::format(
+      "a sweep takes {:.3g} s, and to remember for so long where everything was takes {:.2g} GB; "
+      "raise mirror_rate or simulation.step, or ask for fewer people",
+      history_length, moments * bytes / 1e9));
 }
 
 // One group after the other; each sees where those before it have gone.

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "core/geometry/angle.h"
 #include "core/statistics/moments.h"
+#include "core/testing/throws_input_error.h"
 #include "sim/actors/crowd.h"
 #include "sim/drivers/scripted_driver.h"
 #include "sim/testing/small_world.h"
@@ -177,6 +179,15 @@ TEST(Simulation, WhatMovesStandsAsInTheMiddleOfASlice) {
     EXPECT_NEAR(from_axis.norm(), std::get<Cylinder>(geometry).radius, 1e-3) << k;
   }
   EXPECT_GT(seen, 10);
+}
+
+// A mirror that turns once in 10^6 s sweeps 180 beams for half of that, 50 million steps of 10 ms.
+TEST(Simulation, RefusesASweepSoSlowThatNobodyCanRememberWhereThingsWere) {
+  Robot robot = round_robot();
+  LaserModel laser{.beams = 180, .bearing_step = radians(1.0), .mirror_rate = 1e-6};
+  robot.sensors = {{.name = "front", .model = laser}};
+  EXPECT_INPUT_ERROR(Simulation(small_room(10.0, 6.0), robot, {2.0, 2.0, 0.0}, {}, Rng(1)),
+                     "a sweep takes 4.97e+05 s, and to remember for so long where everything was");
 }
 
 }  // namespace

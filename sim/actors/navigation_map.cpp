@@ -6,7 +6,7 @@
 #include <queue>
 #include <utility>
 
-#include "core/check.h"
+#include "core/geometry/angle.h"
 #include "core/input_error.h"
 #include "worlds/geometry/footprint.h"
 
@@ -17,8 +17,9 @@ constexpr double kCell = 0.2;  // [m]
 constexpr int kBlock = 2;      // cells along the side of a block that shares its near walls
 constexpr double kBlockSize = kBlock * kCell;  // [m]
 constexpr double kMargin = 1.0;                // [m] of grid around the outermost walls
-constexpr double kMostCells = 4e7;
-constexpr double kMostLooks = 1e9;  // at cells in the boxes of things
+constexpr double kMostCells = 2e7;
+// A block's near walls: those within reach of any of its points.
+constexpr double kBlockReach = NavigationMap::kReach + 0.7072 * kBlockSize;  // [m]
 
 double distance_to(const Wall& wall, const Eigen::Vector2d& point) {
   const Eigen::Vector2d along = wall.to - wall.from;
@@ -33,17 +34,51 @@ double price_of(double room) {
   return 1.0 + 2.0 * std::clamp(1.0 - room / 0.4, 0.0, 1.0);
 }
 
-std::vector<Wall> walls_of(const World& world, double low, double high) {
-  std::vector<Wall> walls;
-  for (const Footprint& f : footprints(world, low, high)) {
+// What stands in the way between the two heights.
+std::vector<Footprint> obstacles_of(const World& world, double low, double high) {
+  std::vector<Footprint> obstacles = footprints(world, low, high);
+  std::erase_if(obstacles, [&](const Footprint& f) {
     const EntityKind kind = world.entities[static_cast<std::size_t>(f.entity)].kind;
-    if (kind == EntityKind::floor || kind == EntityKind::door) continue;
+    return kind == EntityKind::floor || kind == EntityKind::door;
+  });
+  return obstacles;
+}
+
+std::vector<Wall> walls_of(const std::vector<Footprint>& obstacles) {
+  std::vector<Wall> walls;
+  for (const Footprint& f : obstacles) {
     if (f.outline.empty()) walls.push_back({f.center, f.center, f.radius});
     for (std::size_t i = 0; i < f.outline.size(); ++i) {
       walls.push_back({f.outline[i], f.outline[(i + 1) % f.outline.size()], 0.0});
     }
   }
   return walls;
+}
+
+double cells_in(const Eigen::Vector2d& size, double side) {
+  return (size / side).array().ceil().max(1.0).prod();
+}
+
+// Walls are tried at all blocks of their boxes and kept in those near them, outlines are tried at
+// all cells of theirs, corner by corner.
+void check_cost(const std::string& world, const std::vector<Footprint>& obstacles,
+                const std::vector<Wall>& walls, const NavigationCost& most) {
+  NavigationCost cost{.looks = 0.0, .near_walls = 0.0};
+  for (const Footprint& f : obstacles) {
+    if (f.outline.empty()) continue;
+    cost.looks += cells_in(bounds_of(f).sizes(), kCell) * static_cast<double>(f.outline.size());
+  }
+  for (const Wall& wall : walls) {
+    const Eigen::Vector2d way = wall.to - wall.from;
+    const double reach = wall.radius + kBlockReach;
+    const Eigen::Vector2d size = way.cwiseAbs() + Eigen::Vector2d::Constant(2.0 * reach);
+    cost.looks += cells_in(size, kBlockSize);
+    cost.near_walls += (2.0 * way.norm() + kPi * reach) * reach / (kBlockSize * kBlockSize);
+  }
+  if (cost.looks <= most.looks && cost.near_walls <= most.near_walls) return;
+  throw InputError("world '" + world +
+                   "' has too many or too large things to walk or drive about in; make it smaller, "
+                   "or its meshes simpler");
 }
 
 }  // namespace
@@ -60,27 +95,18 @@ Eigen::Vector2d nearest_point(const Wall& wall, const Eigen::Vector2d& point) {
   return length > 0.0 ? Eigen::Vector2d(on_axis + wall.radius / length * out) : on_axis;
 }
 
-NavigationMap::NavigationMap(std::vector<Wall> walls) : walls_(std::move(walls)) {
+NavigationMap::NavigationMap(const World& world, double low, double high,
+                             const NavigationCost& most) {
+  const std::vector<Footprint> obstacles = obstacles_of(world, low, high);
+  walls_ = walls_of(obstacles);
+  check_cost(world.name, obstacles, walls_, most);
   lay_out_grid();
   sort_walls_into_blocks();
   measure_clearance();
-}
-
-NavigationMap::NavigationMap(const World& world, double low, double high)
-    : NavigationMap(walls_of(world, low, high)) {
   // Walls know their borders only; what is inside is not free either.
-  double looked_at = 0.0;
-  for (const Footprint& f : footprints(world, low, high)) {
-    const EntityKind kind = world.entities[static_cast<std::size_t>(f.entity)].kind;
-    if (kind == EntityKind::floor || kind == EntityKind::door || f.outline.size() < 3) continue;
-    Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& p : f.outline) box.extend(p);
-    looked_at += (box.sizes() / kCell).array().ceil().prod();
-    if (looked_at > kMostLooks) {
-      throw InputError("world '" + world.name +
-                       "' has too many large things to walk or drive about in; make it smaller, or "
-                       "its meshes simpler");
-    }
+  for (const Footprint& f : obstacles) {
+    if (f.outline.size() < 3) continue;
+    const Eigen::AlignedBox2d box = bounds_of(f);
     for (double y = box.min().y() - kCell; y <= box.max().y() + kCell; y += kCell) {
       for (double x = box.min().x() - kCell; x <= box.max().x() + kCell; x += kCell) {
         const int cell = cell_of({x, y});
@@ -113,14 +139,12 @@ void NavigationMap::lay_out_grid() {
   rows_ = block_rows_ * kBlock;
 }
 
-// A block's walls: those within reach of any of its points.
 void NavigationMap::sort_walls_into_blocks() {
-  const double block_reach = kReach + 0.7072 * kBlockSize;
   std::vector<std::vector<std::uint32_t>> near(static_cast<std::size_t>(block_columns_) *
                                                static_cast<std::size_t>(block_rows_));
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const Wall& wall = walls_[w];
-    const Eigen::Vector2d r = Eigen::Vector2d::Constant(wall.radius + block_reach);
+    const Eigen::Vector2d r = Eigen::Vector2d::Constant(wall.radius + kBlockReach);
     const Eigen::Vector2d low = (wall.from.cwiseMin(wall.to) - r - corner_) / kBlockSize;
     const Eigen::Vector2d top = (wall.from.cwiseMax(wall.to) + r - corner_) / kBlockSize;
     const int last_row = std::min(block_rows_ - 1, static_cast<int>(top.y()));
@@ -129,7 +153,7 @@ void NavigationMap::sort_walls_into_blocks() {
       for (int column = std::max(0, static_cast<int>(low.x())); column <= last_column; ++column) {
         const Eigen::Vector2d center =
             corner_ + kBlockSize * Eigen::Vector2d(column + 0.5, row + 0.5);
-        if (distance_to(wall, center) > block_reach) continue;
+        if (distance_to(wall, center) > kBlockReach) continue;
         near[static_cast<std::size_t>(row * block_columns_ + column)].push_back(
             static_cast<std::uint32_t>(w));
       }

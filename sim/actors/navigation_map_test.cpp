@@ -1,5 +1,6 @@
 #include "sim/actors/navigation_map.h"
 
+#include "core/testing/throws_input_error.h"
 #include "sim/testing/small_world.h"
 
 namespace mapbed {
@@ -61,6 +62,34 @@ TEST(NavigationMap, DoorsAndFloorsAreNoObstacles) {
   world.entities.push_back(block("door", {2.0, 2.0}, {0.9, 0.04}));
   world.entities.back().kind = EntityKind::door;
   EXPECT_EQ(NavigationMap(world, 0.02, 1.9).clearance({2.0, 2.1}), NavigationMap::kReach);
+}
+
+// 2 km x 2 km are 1e8 cells of 20 cm.
+TEST(NavigationMap, RefusesAWorldTooLargeForItsGrid) {
+  EXPECT_INPUT_ERROR(NavigationMap(small_room(2000.0, 2000.0), 0.02, 1.9),
+                     "too large to walk or drive in: its floor plan measures 2002 m x 2002 m");
+}
+
+// The block covers 10 x 10 cells, at each of which its four sides are looked at, and its sides
+// alone are in the lists of at least 2 m x 2 kReach / (0.4 m)^2 = 25 blocks each.
+TEST(NavigationMap, RefusesThingsThatTakeTooLongOrTooMuchMemoryBeforeTheWork) {
+  World world;
+  world.name = "block";
+  world.entities = {block("block", {0.0, 0.0}, {2.0, 2.0})};
+  EXPECT_NO_THROW(NavigationMap(world, 0.02, 1.9, {.looks = 10'000, .near_walls = 1000}));
+  const char* message = "world 'block' has too many or too large things to walk or drive about in";
+  EXPECT_INPUT_ERROR(NavigationMap(world, 0.02, 1.9, {.looks = 399}), message);
+  EXPECT_INPUT_ERROR(NavigationMap(world, 0.02, 1.9, {.near_walls = 99}), message);
+}
+
+// 4000 x 4000 cells, each compared with 200 sides.
+TEST(NavigationMap, RefusesALargeThingOfManyCorners) {
+  World world;
+  world.name = "zigzag";
+  Extrusion zigzag{.bottom = 0.0, .top = 2.5};
+  for (int i = 0; i < 200; ++i) zigzag.outline.emplace_back(i % 2 == 0 ? 0.0 : 800.0, 4.0 * i);
+  world.entities = {{.name = "zigzag", .parts = {{"zigzag", zigzag}}}};
+  EXPECT_INPUT_ERROR(NavigationMap(world, 0.02, 1.9), "too many or too large things");
 }
 
 }  // namespace

@@ -25,7 +25,6 @@ constexpr std::string_view kEnd = "END ";
 constexpr std::size_t kMostMoments = 256;
 constexpr std::size_t kMostNumbers = std::size_t{1} << 22;
 constexpr std::size_t kLongestBlock = std::size_t{1} << 26;  // [bytes]
-constexpr std::size_t kMostMemory = 2'500'000'000;           // [bytes] as a recording takes
 constexpr std::size_t kLongestLine = std::size_t{1} << 16;   // [bytes]
 
 bool have_same_parts(const StampedStates& a, const StampedStates& b) {
@@ -188,15 +187,16 @@ void read_truth(const std::string& path, const TruthSink& sink) {
   }
 }
 
-Truth load_truth(const std::string& path) {
+Truth load_truth(const std::string& path, std::size_t max_bytes) {
   Truth truth;
   std::size_t memory = 0;
   const auto keep = [&](auto& list, auto&& item, std::size_t bytes) {
-    memory += sizeof item + bytes;
-    if (memory > kMostMemory) {
-      throw InputError({path},
-                       fmt::format("takes more than {:.1f} GB of memory", kMostMemory / 1e9),
-                       "is it a truth file of a drive?");
+    memory += 3 * sizeof item + bytes;  // a list takes up to so much while it grows
+    if (memory > max_bytes) {
+      throw InputError(
+          {path},
+          fmt::format("takes more than {:.3g} GB of memory", static_cast<double>(max_bytes) / 1e9),
+          "is it a truth file of a drive?");
     }
     list.push_back(std::move(item));
   };

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "sim/recording.h"
 #include "sim/truth/truth.h"
 
 // Truth as a gzip file: lines that a person can read ("gzip -dc FILE | head"), then binary blocks.
@@ -58,9 +59,10 @@ struct TruthSink {
   std::function<void(BeamTruthOfScan&&)> beams = {};
 };
 
-// Throw InputError with the place: the line of the header, or block and byte.
+// Throw InputError with the place: the line of the header, or block and byte; the second one also
+// where that takes more than `max_bytes` of memory.
 void read_truth(const std::string& path, const TruthSink& sink);
-Truth load_truth(const std::string& path);
+Truth load_truth(const std::string& path, std::size_t max_bytes = kMostRecorded);
 void write_truth(const std::string& path, const Truth& truth);
 
 }  // namespace mapbed

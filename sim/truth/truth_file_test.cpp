@@ -189,6 +189,22 @@ TEST_F(TruthFile, CountsThatTheBlockCannotHoldAreRefused) {
   EXPECT_INPUT_ERROR(load_truth(damaged(bytes + "x")), "is followed by more");
 }
 
+TEST_F(TruthFile, IsRefusedWhereItTakesMoreMemoryThanWasAllowed) {
+  const char* message = "GB of memory; is it a truth file of a drive?";
+  Truth truth = some_truth(100);
+  truth.beams.clear();
+  write_truth(path(), truth);
+  const std::size_t poses = 100 * 3 * sizeof(MovingPose);
+  EXPECT_EQ(load_truth(path(), 10 * poses).states.size(), 100u);
+  EXPECT_INPUT_ERROR(load_truth(path(), poses), message);
+
+  truth.states.clear();
+  truth.beams = {{.beams = std::vector<BeamTruth>(500, BeamTruth{.range = kNothing})}};
+  write_truth(path(), truth);
+  EXPECT_EQ(load_truth(path(), 10 * 500 * sizeof(BeamTruth)).beams.size(), 1u);
+  EXPECT_INPUT_ERROR(load_truth(path(), 500 * sizeof(BeamTruth)), message);
+}
+
 TEST_F(TruthFile, OtherFilesAndOtherVersionsAreRefused) {
   EXPECT_INPUT_ERROR(load_truth(damaged("FLASER 3 1 2 3\n")), ":1: not a truth file");
   EXPECT_INPUT_ERROR(load_truth(damaged("")), ":1: the file ends before its blocks");

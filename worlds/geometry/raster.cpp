@@ -13,8 +13,6 @@
 namespace mapbed {
 namespace {
 
-constexpr double kMostLooks = 1e9;  // at cells in the boxes of things
-
 constexpr std::int32_t kNothing = -1;
 
 TrueMap empty_map(const World& world, const RasterOptions& options) {
@@ -44,17 +42,24 @@ TrueMap empty_map(const World& world, const RasterOptions& options) {
   return map;
 }
 
-Eigen::AlignedBox2d box_of(const Footprint& footprint) {
-  const Eigen::Vector2d r = Eigen::Vector2d::Constant(footprint.radius);
-  if (footprint.outline.empty()) return {footprint.center - r, footprint.center + r};
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& corner : footprint.outline) box.extend(corner);
-  return box;
+// Everything is compared with all cells of its box, corner by corner.
+void check_cost(const World& world, const std::vector<Footprint>& things,
+                const RasterOptions& options) {
+  double looks = 0.0;
+  for (const Footprint& thing : things) {
+    looks += (bounds_of(thing).sizes() / options.resolution).array().ceil().max(1.0).prod() *
+             static_cast<double>(std::max<std::size_t>(1, thing.outline.size()));
+  }
+  if (looks <= options.max_looks) return;
+  throw InputError(fmt::format(
+      "world '{}' has too many or too large things for a map of cells of {} m; take a coarser "
+      "resolution",
+      world.name, options.resolution));
 }
 
 // Marks every cell into which the footprint reaches.
 void draw(TrueMap& map, const Footprint& footprint) {
-  const Eigen::AlignedBox2d box = box_of(footprint);
+  const Eigen::AlignedBox2d box = bounds_of(footprint);
   const Eigen::Array2d low = ((box.min() - map.origin) / map.resolution).array().floor();
   const Eigen::Array2d high = ((box.max() - map.origin) / map.resolution).array().floor();
   const int first_x = std::max(0, static_cast<int>(low.x()));
@@ -81,13 +86,13 @@ void draw(TrueMap& map, const Footprint& footprint) {
 
 // All open cells that hang together with the world's paths.
 void flood(TrueMap& map, const World& world) {
-  std::vector<std::size_t> front;
+  std::vector<std::uint32_t> front;  // half the size: a map has less than 4e9 cells
   const auto visit = [&](int x, int y) {
     if (x < 0 || y < 0 || x >= map.width || y >= map.height) return;
     const std::size_t i = map.index(x, y);
     if (map.cells[i] == TrueCell::free || map.entities[i] != kNothing) return;
     map.cells[i] = TrueCell::free;
-    front.push_back(i);
+    front.push_back(static_cast<std::uint32_t>(i));
   };
   for (const NamedPath& path : world.paths) {
     for (const WayPoint& point : path.points) {
@@ -122,17 +127,10 @@ bool has_free_neighbour(const TrueMap& map, int x, int y) {
 TrueMap raster(const World& world, const RasterOptions& options) {
   TrueMap map = empty_map(world, options);
   constexpr double kThin = 1e-6;  // [m] a cut has no thickness
-  double looked_at = 0.0;
-  for (const Footprint& footprint :
-       footprints(world, options.height - kThin, options.height + kThin)) {
-    looked_at += (box_of(footprint).sizes() / map.resolution).array().ceil().prod();
-    if (looked_at > kMostLooks) {
-      throw InputError("world '" + world.name +
-                       "' has too many large things that stand aslant for a map of cells of " +
-                       fmt::format("{} m; take a coarser resolution", map.resolution));
-    }
-    draw(map, footprint);
-  }
+  const std::vector<Footprint> things =
+      footprints(world, options.height - kThin, options.height + kThin);
+  check_cost(world, things, options);
+  for (const Footprint& thing : things) draw(map, thing);
   if (world.paths.empty()) {
     for (std::size_t i = 0; i < map.cells.size(); ++i) {
       if (map.entities[i] == kNothing) map.cells[i] = TrueCell::free;

@@ -37,9 +37,10 @@ struct RasterOptions {
   double resolution = 0.05;  // [m]
   double margin = 0.5;       // [m] kept around the world
   double max_cells = 1e8;    // more would not fit into memory
+  double max_looks = 3e8;    // of cells at corners of things; more would take too long
 };
 
-// Doors as they stand. Throws InputError where the map would not fit into memory.
+// Doors as they stand. Throws InputError where the map would not fit into memory, or take too long.
 TrueMap raster(const World& world, const RasterOptions& options = {});
 
 }  // namespace mapbed

@@ -107,5 +107,21 @@ TEST(Raster, RefusesAMapThatDoesNotFitIntoMemory) {
   }
 }
 
+// The walls and the block of the room cover 9 + 9 + 7 + 7 + 9 cells, and have four corners each.
+TEST(Raster, RefusesAMapThatTakesTooLong) {
+  RasterOptions options = kMetres;
+  options.max_looks = 4 * 41 + 1;
+  EXPECT_NO_THROW(raster(room(), options));
+  options.max_looks = 4 * 41 - 1;
+  try {
+    raster(room(), options);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("world 'room' has too many or too large things for a map of "
+                          "cells of 1 m; take a coarser resolution"));
+  }
+}
+
 }  // namespace
 }  // namespace mapbed
