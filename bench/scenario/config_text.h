@@ -4,8 +4,6 @@
 
 namespace mapbed {
 
-class ConfigNode;
-struct Scenario;
 struct ScenarioPlan;
 
 // config.yaml, beside the results of a scenario and a scenario itself:
@@ -22,11 +20,7 @@ struct ScenarioPlan;
 // files that are not the program's are whole ones. What stands under `runs` holds then instead of
 // the defaults, which a later program may have changed; but not where the sweep or the command line
 // chooses another world, robot, log, … than it is of, nor for several logs of one run.
+// config_reader.h reads it.
 std::string config_text(const ScenarioPlan& plan);
-
-// Whether a file is one of these, and the scenario in it. Throws InputError for one of an older
-// program, which cannot be run.
-bool is_config(const ConfigNode& file);
-Scenario scenario_in(const ConfigNode& config);
 
 }  // namespace mapbed

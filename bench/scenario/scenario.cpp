@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "bench/results/plot_spec.h"
-#include "bench/scenario/config_text.h"
+#include "bench/scenario/config_reader.h"
 #include "core/config/config_node.h"
 #include "core/config/suggestion.h"
 #include "core/data_path.h"

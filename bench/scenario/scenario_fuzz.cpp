@@ -1,13 +1,9 @@
-// Whatever a scenario says: options that are within their bounds and read back, a sweep, claims and
-// plots, or an InputError.
-
-#include <cmath>
+// Whatever a scenario says, as it stands or made quick: settings, levels and seeds within their
+// bounds, options that are within theirs and read back, or an InputError.
 
 #include "algorithms/grid/map_builder.h"
 #include "algorithms/rbpf/grid_slam_options.h"
-#include "bench/results/claim.h"
-#include "bench/results/plot_spec.h"
-#include "bench/results/sweep.h"
+#include "bench/scenario/scenario.h"
 #include "core/check.h"
 #include "core/config/config_node.h"
 #include "core/log/log_options.h"
@@ -48,24 +44,24 @@ void bind(const Settings& settings) {
   }
 }
 
+void read(const std::string& path, bool quick) {
+  const Scenario scenario = load_scenario(path, {.quick = quick});
+  CHECK(scenario.seeds >= 1 && !scenario.variants.empty());
+  const std::vector<Level> levels = levels_of(scenario.axes);
+  CHECK(!levels.empty());
+  const Settings settings = settings_of(scenario, levels.front(), scenario.variants.front());
+  bind<LogOptions>(settings);
+  bind<MapOptions>(settings);
+  bind<GridSlamOptions>(settings);
+  bind<RecorderOptions>(settings);
+  bind<SimulationOptions>(settings);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  use([&] {
-    const ConfigNode file = parse_config(fuzz_text(data, size), {"fuzz", 1});
-    const Settings settings = settings_of(file);
-    bind<LogOptions>(settings);
-    bind<MapOptions>(settings);
-    bind<GridSlamOptions>(settings);
-    bind<RecorderOptions>(settings);
-    bind<SimulationOptions>(settings);
-    for (const ConfigNode& claim : file.at("claims").items()) use([&] { (void)claim_of(claim); });
-    for (const ConfigNode& plot : file.at("plots").items()) use([&] { (void)plot_of(plot); });
-    std::vector<SweepAxis> axes;
-    for (const std::string& path : file.at("sweep").keys()) {
-      axes.push_back(axis_of(path, file.at("sweep").at(path).texts()));
-    }
-    (void)levels_of(axes);
-  });
+  const std::string path = fuzz_file("scenario.yaml", data, size);
+  use([&] { read(path, false); });
+  use([&] { read(path, true); });
   return 0;
 }
