@@ -36,6 +36,22 @@ bool is_surely_path(const std::string& text) {
   return text.ends_with(".yaml") || text.starts_with("./") || text.starts_with("../");
 }
 
+// Empty where it is not in that folder.
+fs::path path_below(const fs::path& folder, const fs::path& path) {
+  const fs::path below = path.lexically_relative(fs::absolute(folder).lexically_normal());
+  return !below.empty() && *below.begin() != ".." ? below : fs::path();
+}
+
+// Of what lies in data_home(), which may be a source tree with anything in it: the data files
+// alone.
+bool is_shipped(const fs::path& below_home) {
+  for (const char* folder : {"algorithms/motion/motion_models", "robots", "scenarios", "worlds"}) {
+    const fs::path inner = below_home.lexically_relative(folder);
+    if (!inner.empty() && *inner.begin() != "..") return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string with_whole_path(const std::string& value, const SourceLocation& place) {
@@ -80,15 +96,12 @@ std::filesystem::path find_data_file(const std::string& kind, const std::string&
 }
 
 std::string portable_path(const std::string& path) {
-  std::vector<fs::path> folders = {data_home()};
+  const fs::path shipped = path_below(data_home(), path);
+  if (!shipped.empty() && is_shipped(shipped)) return shipped.string();
   const char* const data = std::getenv("MAPBED_DATA");
-  if (data != nullptr && *data != '\0') folders.emplace_back(data);
-  for (const fs::path& folder : folders) {
-    const fs::path below =
-        fs::path(path).lexically_relative(fs::absolute(folder).lexically_normal());
-    if (!below.empty() && *below.begin() != "..") return below.string();
-  }
-  return path;
+  if (data == nullptr || *data == '\0') return path;
+  const fs::path stored = path_below(data, path);
+  return stored.empty() ? path : stored.string();
 }
 
 std::vector<std::string> data_names(const std::string& folder) {

@@ -25,8 +25,9 @@ std::filesystem::path find_data_file(const std::string& kind, const std::string&
 // with ./ or ../, or has a '/' or '.' and leads to a file.
 std::string with_whole_path(const std::string& value, const SourceLocation& place);
 
-// A file's path on every machine: below data_home() or the environment's MAPBED_DATA, counted from
-// there ("robots/b21r.yaml"); else as it is.
+// A file's path on every machine: that of a data file counts from data_home()
+// ("robots/b21r.yaml"), one below the environment's MAPBED_DATA from there. Any other stays as it
+// is, also where somebody keeps it in the source tree.
 std::string portable_path(const std::string& path);
 
 // The names of the .yaml files in a folder of data_home(), sorted.

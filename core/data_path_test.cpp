@@ -65,8 +65,18 @@ TEST(WholePath, OnTheCommandLineCountsFromTheWorkingFolder) {
 TEST(PortablePath, CountsFromTheFolderOfTheDataFiles) {
   const Home home("/tmp");
   EXPECT_EQ(portable_path("/tmp/robots/b21r.yaml"), "robots/b21r.yaml");
+  EXPECT_EQ(portable_path("/tmp/robots/sensors/s300.yaml"), "robots/sensors/s300.yaml");
   EXPECT_EQ(portable_path("/home/ann/b21r.yaml"), "/home/ann/b21r.yaml");
-  EXPECT_EQ(portable_path("/tmpfs/b21r.yaml"), "/tmpfs/b21r.yaml");
+  EXPECT_EQ(portable_path("/tmpfs/robots/b21r.yaml"), "/tmpfs/robots/b21r.yaml");
+}
+
+// From another source tree it would lead to another file, or to none.
+TEST(PortablePath, OfSomebodysFileInTheSourceTreeIsWhole) {
+  const Home home("/tmp");
+  for (const char* own : {"/tmp/my_world.yaml", "/tmp/build/my.yaml", "/tmp/build/robots/my.yaml",
+                          "/tmp/robots.yaml"}) {
+    EXPECT_EQ(portable_path(own), own);
+  }
 }
 
 TEST(WholePath, LeavesAloneWhatNamesNoFile) {
