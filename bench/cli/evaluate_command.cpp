@@ -8,6 +8,7 @@
 
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
+#include "bench/cli/progress.h"
 #include "bench/metrics/evaluation.h"
 #include "core/file/atomic_file.h"
 #include "core/file/text_file.h"
@@ -83,8 +84,7 @@ void check_finite(const EvaluateArguments& arguments) {
   }
 }
 
-int evaluate(const EvaluateArguments& arguments) {
-  if (!arguments.json.empty()) check_writable(arguments.json);
+Evaluation evaluation_of(const EvaluateArguments& arguments) {
   const Trajectory estimate = load_trajectory(arguments.estimate);
   Evaluation evaluation;
   if (!arguments.relations.empty()) {
@@ -94,6 +94,12 @@ int evaluate(const EvaluateArguments& arguments) {
     evaluation.truth =
         compare_with_truth(estimate, load_trajectory(arguments.truth), arguments.truth_options);
   }
+  return evaluation;
+}
+
+int evaluate(const EvaluateArguments& arguments) {
+  if (!arguments.json.empty()) check_writable(arguments.json);
+  const Evaluation evaluation = while_told("evaluating", [&] { return evaluation_of(arguments); });
   if (!arguments.json.empty()) write_file(arguments.json, json_of(evaluation));
   fmt::print("{}", table_of(evaluation));
   return kDone;

@@ -145,7 +145,7 @@ int map_log(const MapArguments& arguments) {
   const MapConfig config = map_config_from(settings, {.log = chosen.options});
   const std::string folder = folder_for(arguments);
   { const OutputFolder probe(folder); }  // refused before the log is read
-  const RecordedLog log = load_log(chosen.path, config.log);
+  const RecordedLog log = while_told("reading", [&] { return load_log(chosen.path, config.log); });
   print_log(arguments.log, log, stopwatch.seconds());
   const OutputFolder made(folder);
 
@@ -162,7 +162,7 @@ int map_log(const MapArguments& arguments) {
     return kInterrupted;
   }
   run.log_sha256 = chosen.sha256;
-  write_map_run(folder, arguments.log, log, run);
+  while_told("writing", [&] { write_map_run(folder, arguments.log, log, run); });
   print_result(run, folder, stopwatch.seconds());
   if (run.complete()) return kDone;
   fmt::print(stderr, "mapbed: interrupted after {} of {} scans; {} holds the map of these\n",

@@ -10,6 +10,7 @@
 #include "algorithms/grid/map_file.h"
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
+#include "bench/cli/progress.h"
 #include "bench/plot/map_picture.h"
 #include "bench/plot/world_picture.h"
 #include "core/config/quantity.h"
@@ -34,12 +35,7 @@ struct RenderArguments {
   std::vector<std::string> camera_options;
 };
 
-void write_picture(const std::string& path, const RgbImage& image) {
-  write_png(path, image);
-  fmt::print("{}: {} x {} pixels\n", path, image.width(), image.height());
-}
-
-int render_world(const RenderArguments& arguments) {
+RgbImage picture_of_world(const RenderArguments& arguments) {
   WorldPicture picture = arguments.world;
   picture.world = arguments.map;
   for (const std::string& option : arguments.world_options) {
@@ -53,13 +49,10 @@ int render_world(const RenderArguments& arguments) {
   if (!arguments.after.empty()) {
     picture.after = parse_quantity(arguments.after, Unit::second, {"--after", 0});
   }
-  write_picture(arguments.output, picture_of(picture));
-  return kDone;
+  return picture_of(picture);
 }
 
-int render(const RenderArguments& arguments) {
-  check_writable(arguments.output);
-  if (is_world(arguments.map)) return render_world(arguments);
+RgbImage picture_of_map(const RenderArguments& arguments) {
   std::optional<double> resolution;
   if (!arguments.resolution.empty()) {
     resolution = parse_quantity(arguments.resolution, Unit::meter, {"--resolution", 0});
@@ -73,7 +66,16 @@ int render(const RenderArguments& arguments) {
                                  : std::filesystem::path(path).stem().string();
     paths.push_back({name, load_trajectory(path)});
   }
-  write_picture(arguments.output, picture_of(map, paths, arguments.picture));
+  return picture_of(map, paths, arguments.picture);
+}
+
+int render(const RenderArguments& arguments) {
+  check_writable(arguments.output);
+  const RgbImage image = while_told("drawing", [&] {
+    return is_world(arguments.map) ? picture_of_world(arguments) : picture_of_map(arguments);
+  });
+  write_png(arguments.output, image);
+  fmt::print("{}: {} x {} pixels\n", arguments.output, image.width(), image.height());
   return kDone;
 }
 

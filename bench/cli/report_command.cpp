@@ -9,6 +9,7 @@
 
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
+#include "bench/cli/progress.h"
 #include "bench/pages/overview_page.h"
 #include "bench/process/folder_lock.h"
 #include "bench/results/figures.h"
@@ -56,10 +57,13 @@ void make_again(const std::string& result) {
 
 int report(const std::vector<std::string>& folders) {
   for (const std::string& folder : folders) {
-    finish_publications(folder);
-    refuse_foreign_pages(folder);
-    for (const std::string& result : result_folders(folder)) make_again(result);
-    for (const std::string& path : write_reports(folder)) fmt::print("written: {}\n", path);
+    const auto pages = while_told("writing pages", [&] {
+      finish_publications(folder);
+      refuse_foreign_pages(folder);
+      for (const std::string& result : result_folders(folder)) make_again(result);
+      return write_reports(folder);
+    });
+    for (const std::string& path : pages) fmt::print("written: {}\n", path);
   }
   return kDone;
 }

@@ -100,7 +100,7 @@ int print_one_run(const ScenarioPlan& plan, int number) {
   const std::string missing = plan.planned_of(plan.row(number)).missing();
   if (!missing.empty()) throw InputError(missing + "; set MAPBED_DATA to the folder that holds it");
   Results results = plan.results;
-  results.runs.push_back(repeat_run(plan, number));
+  results.runs.push_back(while_told(results.id, [&] { return repeat_run(plan, number); }));
   fmt::print("{}", runs_csv(results));
   return kDone;
 }
@@ -110,7 +110,8 @@ int run(const RunArguments& arguments) {
   for (const std::string& text : arguments.settings) {
     choice.settings.push_back(parse_setting(text));
   }
-  const ScenarioPlan plan = make_plan(load_scenario(arguments.scenario, choice));
+  const ScenarioPlan plan =
+      while_told("planning", [&] { return make_plan(load_scenario(arguments.scenario, choice)); });
   if (arguments.run) return print_one_run(plan, *arguments.run);
 
   ScenarioRunOptions options{.folder = folder_of(arguments, plan.scenario),
@@ -133,7 +134,7 @@ int run(const RunArguments& arguments) {
                result.results.runs.size(), plan.runs_to_do().size());
     return kInterrupted;
   }
-  write_reports(options.folder);
+  while_told("writing pages", [&] { return write_reports(options.folder); });
   print_result(result, options.folder);
   return arguments.strict && !all_held(result.results) ? kClaimsNotHeld : kDone;
 }

@@ -8,6 +8,7 @@
 
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
+#include "bench/cli/progress.h"
 #include "bench/process/stopwatch.h"
 #include "bench/scenario/scenario_log.h"
 #include "bench/sources/files_record.h"
@@ -71,11 +72,13 @@ SimulationToRun simulation_of(const SimulateArguments& a) {
 
 int simulate(const SimulateArguments& arguments) {
   check_writable(arguments.log);
-  const SimulationToRun to_run = simulation_of(arguments);
+  const SimulationToRun to_run =
+      while_told("building the world", [&] { return simulation_of(arguments); });
   const Stopwatch stopwatch;
-  const SimulationResult result = run_simulation(to_run.simulation, to_run.seed);
+  const SimulationResult result =
+      while_told("simulating", [&] { return run_simulation(to_run.simulation, to_run.seed); });
   const double seconds = stopwatch.seconds();
-  write_simulation(arguments.log, result);
+  while_told("writing", [&] { write_simulation(arguments.log, result); });
 
   const auto& scans = result.recording.truth.beams;
   const Trajectory truth = trajectory_of(result.recording.truth);
