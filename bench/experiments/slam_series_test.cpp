@@ -74,6 +74,17 @@ TEST_F(SlamSeriesOf, ParticlesAreCountedAtUpdates) {
   EXPECT_EQ(all[1].points[2].value, 10.0);
 }
 
+TEST_F(SlamSeriesOf, TheLastUpdateIsAPointWhetherOneIsDueOrNot) {
+  method_.held.diversity = {{101.0, 1, 9.0, false}, {102.0, 2, 8.0, false}, {103.0, 3, 7.0, false}};
+  input_.wanted = {"effective_number"};
+  SlamSeries series(input_, 4.0);
+  const std::vector<Series> all = series.finish(method_);
+  ASSERT_EQ(all.size(), 1u);
+  ASSERT_EQ(all[0].points.size(), 2u);
+  EXPECT_EQ(all[0].points[1].x, 3.0);
+  EXPECT_EQ(all[0].points[1].value, 7.0);
+}
+
 TEST_F(SlamSeriesOf, OnlyWhatIsWantedIsGiven) {
   input_.wanted = {"translation_error"};
   method_.held.diversity = {{101.0, 1, 9.0, false}};

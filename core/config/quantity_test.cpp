@@ -28,6 +28,7 @@ TEST(Quantity, IsReadInSiAndRadiansToTheLastBit) {
   EXPECT_EQ(parse("36 km/h", Unit::meter_per_second), 10.0);
   EXPECT_EQ(parse("3 rad/m", Unit::radian_per_meter), 3.0);
   EXPECT_EQ(parse("90 deg/s", Unit::radian_per_second), kPi / 2);
+  EXPECT_DOUBLE_EQ(parse("7200 deg/h", Unit::radian_per_second), radians(2));
   EXPECT_EQ(parse("250 ms", Unit::second), 0.25);
   EXPECT_EQ(parse("10 Hz", Unit::hertz), 10.0);
   EXPECT_EQ(parse("500 g", Unit::kilogram), 0.5);

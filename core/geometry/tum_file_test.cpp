@@ -67,6 +67,14 @@ TEST(TumFile, KeepsTheHeadingOfAPoseInSpace) {
   EXPECT_NEAR(parse_trajectory("t", line)[0].pose.theta, kPi / 2, 1e-5);
 }
 
+TEST(TumFile, KeepsTheHeadingOfAPoseThatIsRolled) {
+  // Heading 30 deg, then rolled by 60 deg about the new x axis: q = z(30) * x(60).
+  const double cz = std::cos(kPi / 12), sz = std::sin(kPi / 12);
+  const double cx = std::cos(kPi / 6), sx = std::sin(kPi / 6);
+  const std::string line = fmt::format("1 0 0 0 {} {} {} {}", cz * sx, sz * sx, sz * cx, cz * cx);
+  EXPECT_NEAR(parse_trajectory("t", line)[0].pose.theta, kPi / 6, 1e-5);
+}
+
 TEST(TumFile, PutsPosesInOrderOfTimeAndKeepsTheOrderOfEqualStamps) {
   const Trajectory poses = parse_trajectory("t", "2 20 0 0\n1 10 0 0\n2 21 0 0\n");
   ASSERT_EQ(poses.size(), 3U);
