@@ -127,6 +127,18 @@ TEST(Robot, AFootprintIsACircleOrABox) {
   EXPECT_THAT(error_of("footprint: {length: 20 cm}\n"), HasSubstr(expected));
   EXPECT_THAT(error_of("footprint: {length: 2 m, width: 1 m, radius: 1 m}\n"), HasSubstr(expected));
   EXPECT_THAT(error_of("mass: 3 kg\n"), HasSubstr("footprint"));
+  EXPECT_THAT(error_of("footprint: {radius: 4 mm}\n"), HasSubstr("is narrower than 1 cm"));
+  EXPECT_THAT(error_of("footprint: {length: 2 m, width: 9 mm}\n"), HasSubstr("narrower than 1 cm"));
+}
+
+TEST(Robot, WhatSettingsMadeOfItIsCheckedAgain) {
+  Robot robot = load_robot("b21r");
+  EXPECT_NO_THROW(check_robot(robot, {}));
+  robot.footprint.radius = 0.0;
+  EXPECT_THROW(check_robot(robot, {}), InputError);
+  robot.footprint.radius = 0.3;
+  std::get<LaserModel>(robot.sensors[0].model).scan_rate = 100.0;  // the mirror turns at 75 Hz
+  EXPECT_THROW(check_robot(robot, {}), InputError);
 }
 
 TEST(Robot, TwoLasersOfOneNameAreRefused) {
@@ -170,6 +182,17 @@ TEST(Robot, AFileSaysWhatKindOfSensorItIs) {
     EXPECT_THAT(error.what(),
                 HasSubstr(".yaml:2: unknown kind 'lasr' of a sensor; did you mean 'laser'?"));
   }
+}
+
+// 1000 beams of 15 rays, 10,000 times a second, are 1.5e8 rays a second.
+TEST(Robot, ALaserThatSendsMoreRaysThanCanBeCastIsRefused) {
+  const std::string laser =
+      "footprint: {radius: 20 cm}\nsensors:\n- {name: a, sensor: sick_lms200, beams: 1000, "
+      "bearing_step: 0.1 deg, mirror_rate: 0 Hz, scan_rate: 10000 Hz, sub_rays: ";
+  EXPECT_THAT(error_of(laser + "15}\n"),
+              AllOf(HasSubstr(".yaml:3: the laser sends 1.5e+08 rays a second, of 1e+08 at most"),
+                    HasSubstr("lower beams, sub_rays or scan_rate")));
+  EXPECT_THAT(error_of(laser + "10}\n"), HasSubstr("no error"));
 }
 
 TEST(Robot, ALaserCannotSweepFasterThanItsMirrorTurns) {
