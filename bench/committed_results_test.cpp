@@ -23,11 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Wait to be made again at full size: they are of earlier scan matching, of other names of metrics,
-// of the filter that always refined its trajectory.
-const std::set<std::string> kOutdated{"ch2_matching_basin", "ch5_motion_models_heavy",
-                                      "ch5_vs_standard_rbpf"};
-
 constexpr double kEnough = 4.0;  // [s] of processor time that the runs of a scenario took
 
 std::vector<std::string> committed_results() {
@@ -76,7 +71,6 @@ class CommittedResult : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(CommittedResult, IsThatOfTheProgramOfToday) {
   if (__builtin_cpu_supports("fma") == 0) GTEST_SKIP() << "no fused multiply-add";
-  if (kOutdated.contains(GetParam())) GTEST_SKIP() << "to be made again";
   const Results committed = load_results(source_tree() + "/results/" + GetParam());
   const ScenarioPlan plan = make_plan(load_scenario(GetParam()));
   const std::vector<int> runs = cheap_runs(committed);
