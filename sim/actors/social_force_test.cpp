@@ -28,7 +28,7 @@ void walk(std::vector<Walker>& walkers, const NavigationMap& plan, double second
 }
 
 TEST(SocialForce, AloneReachesTheWishedVelocityWithItsTimeConstant) {
-  const NavigationMap plan(std::vector<Wall>{});
+  const NavigationMap plan(World{}, 0.02, 1.9);
   std::vector<Walker> walkers{walker_at({0.0, 0.0}, {1.2, 0.0})};
   walk(walkers, plan, 0.5);
   EXPECT_NEAR(walkers[0].velocity.x(), 1.2 * (1.0 - std::exp(-1.0)), 0.01);
@@ -37,7 +37,7 @@ TEST(SocialForce, AloneReachesTheWishedVelocityWithItsTimeConstant) {
 }
 
 TEST(SocialForce, TurnsIntoTheWishedDirection) {
-  const NavigationMap plan(std::vector<Wall>{});
+  const NavigationMap plan(World{}, 0.02, 1.9);
   std::vector<Walker> walkers{walker_at({0.0, 0.0}, {1.0, 0.0})};
   walk(walkers, plan, 3.0);
   walkers[0].wish = {0.0, 1.0};
@@ -110,7 +110,7 @@ TEST(SocialForce, ADoorOf90CentimetresIsPassed) {
 }
 
 TEST(SocialForce, WhoStandsStaysAndLooksWhereHeWants) {
-  const NavigationMap plan(std::vector<Wall>{});
+  const NavigationMap plan(World{}, 0.02, 1.9);
   std::vector<Walker> walkers{walker_at({0.0, 0.0}, {0.0, 0.0})};
   walkers[0].keeps_heading = true;
   walkers[0].wished_heading = 2.0;
@@ -122,7 +122,7 @@ TEST(SocialForce, WhoStandsStaysAndLooksWhereHeWants) {
 // Two who touch by 10 cm while they pass each other at 1 m/s, without what pushes them apart:
 // k2 o dv / m changes their speeds, nothing else does.
 TEST(SocialForce, BodiesThatRubSlowEachOtherDown) {
-  const NavigationMap plan(std::vector<Wall>{});
+  const NavigationMap plan(World{}, 0.02, 1.9);
   std::vector<Walker> walkers{walker_at({0.0, 0.0}, {0.0, 0.5}),
                               walker_at({0.5, 0.0}, {0.0, -0.5})};
   for (Walker& walker : walkers) walker.velocity = walker.wish;
