@@ -1,4 +1,5 @@
-// `mapbed run`, killed at any system call by which it changes files, and started again.
+// `mapbed run`, `report`, `map` and `simulate`, killed at any system call by which they change
+// files, and started again.
 //
 // Every so many-th call; each one where MAPBED_ALL_KILLS is set.
 
@@ -89,6 +90,9 @@ class Kills : public CommandTest {
     return files;
   }
 
+  // Every so many-th call, or each.
+  static int step(int usual) { return std::getenv("MAPBED_ALL_KILLS") != nullptr ? 1 : usual; }
+
   void expect_as_undisturbed(const std::string& folder, const std::string& reference,
                              const std::string& not_asked) const {
     const auto files = files_in(folder);
@@ -124,9 +128,8 @@ class Kills : public CommandTest {
   void kill_everywhere(const std::string& before, const std::vector<std::string>& killed,
                        const std::vector<std::string>& again, const std::string& reference,
                        const std::string& not_asked) {
-    const int step = std::getenv("MAPBED_ALL_KILLS") != nullptr ? 1 : 23;
     int kills = 0;
-    for (int nth = 1;; nth += step) {
+    for (int nth = 1;; nth += step(23)) {
       SCOPED_TRACE(fmt::format("killed at call {}", nth));
       fs::remove_all(path("result"));
       if (!before.empty()) fs::copy(path(before), path("result"), fs::copy_options::recursive);
@@ -196,6 +199,128 @@ TEST_F(Kills, OfAFinishedResultThatGetsOtherWordsDoNoHarm) {
   fs::copy(path("whole"), path("before"), fs::copy_options::recursive);
   EXPECT_EQ(call(run_of("wanted", "whole")).status, 0);
   kill_everywhere("before", run, run, "whole", "the other question");
+}
+
+// What is written once the work is done, over what an earlier start has left in `kept`.
+class KilledAtTheEnd : public CommandTest {
+ protected:
+  std::map<std::string, std::string> files(const std::string& folder) const {
+    std::map<std::string, std::string> found;
+    for (const auto& entry : fs::directory_iterator(path(folder))) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with('.')) continue;
+      found[name] = name == "cost.csv" ? "other each time" : read_text_file(entry.path().string());
+    }
+    return found;
+  }
+
+  // `mark` says that the files of the folder belong together.
+  void expect_older_or_newer(const std::vector<std::string>& older,
+                             const std::vector<std::string>& newer, const std::string& mark) {
+    ASSERT_EQ(call(newer).status, 0);
+    const auto wanted = files("kept");
+    fs::remove_all(path("kept"));
+    fs::create_directory(path("kept"));
+    ASSERT_EQ(call(older).status, 0);
+    const auto before = files("kept");
+    fs::rename(path("kept"), path("before"));
+    int kills = 0;
+    for (int nth = 1;; nth += std::getenv("MAPBED_ALL_KILLS") != nullptr ? 1 : 5, ++kills) {
+      SCOPED_TRACE(fmt::format("killed at call {}", nth));
+      fs::remove_all(path("kept"));
+      fs::copy(path("before"), path("kept"), fs::copy_options::recursive);
+      const std::optional<KilledRun> run = run_killed_at(nth, newer, path());
+      if (!run) GTEST_SKIP() << "the system lets no program trace another";
+      const auto found = files("kept");
+      if (found.contains(mark)) EXPECT_TRUE(found == before || found == wanted);
+      const Outcome outcome = call(newer);
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+      EXPECT_TRUE(files("kept") == wanted);
+      for (const auto& entry : fs::directory_iterator(path("kept"))) {
+        EXPECT_FALSE(entry.path().filename().string().starts_with('.')) << "litter: " << entry;
+      }
+      if (!run->was_killed || HasFailure()) break;
+    }
+    EXPECT_GT(kills, 5);
+  }
+};
+
+std::vector<std::string> drive(const std::string& seed) {
+  return {"simulate",  "--world", "corridor",
+          "--robot",   "pioneer", "--people",
+          "0",         "--set",   "recorder.longest=2 s",
+          "--seed",    seed,      "-o",
+          "kept/a.log"};
+}
+
+TEST_F(KilledAtTheEnd, ASimulationIsTheOlderOrTheNewerOneWhereItHasALog) {
+  fs::create_directory(path("kept"));
+  expect_older_or_newer(drive("1"), drive("2"), "a.log");
+}
+
+TEST_F(KilledAtTheEnd, AMapIsTheOlderOrTheNewerOneWhereItHasASummary) {
+  fs::create_directory(path("kept"));
+  ASSERT_EQ(call(drive("1")).status, 0);
+  fs::rename(path("kept"), path("log"));
+  const auto map = [](const char* method) {
+    return std::vector<std::string>{"map", "log/a.log", "--method", method, "--out", "kept"};
+  };
+  expect_older_or_newer(map("odometry"), map("scan_matching"), "summary.json");
+}
+
+// Results of an older program, which drew and judged otherwise, with their pages.
+class KilledReport : public Kills {
+ protected:
+  KilledReport() {
+    fs::create_directory(path("old"));
+    for (const char* name : {"whole", "other"}) {
+      fs::copy(path(name), path("old/" + std::string(name)), fs::copy_options::recursive);
+    }
+    EXPECT_EQ(call({"report", "old"}).status, 0);
+    write("old/notes.txt", "somebody's own\n");
+    fs::copy(path("old"), path("new"), fs::copy_options::recursive);
+    for (const auto& [name, content] : files_in("old")) {
+      const bool is_page = name.ends_with(".html") || name.ends_with(".md");
+      if (is_page || name.ends_with(".svg")) write("old/" + name, content + "<!-- older -->\n");
+      if (name.ends_with("claims.csv")) write("old/" + name, "claim,held,measured,thesis\n");
+    }
+  }
+
+  // Of the files in that folder; hidden ones belong to nobody.
+  static std::map<std::string, std::string> part(const std::map<std::string, std::string>& files,
+                                                 const std::string& folder) {
+    std::map<std::string, std::string> inner;
+    for (const auto& [name, content] : files) {
+      const bool is_hidden = name.find("/.") != std::string::npos || name.starts_with('.');
+      if (name.starts_with(folder) && !is_hidden) inner.emplace(name, content);
+    }
+    return inner;
+  }
+};
+
+TEST_F(KilledReport, LeavesEachResultWithItsPageAndTheNextOneMakesAll) {
+  const auto older = files_in("old");
+  const auto newer = files_in("new");
+  int kills = 0;
+  for (int nth = 1;; nth += step(7)) {
+    SCOPED_TRACE(fmt::format("killed at call {}", nth));
+    fs::remove_all(path("result"));
+    fs::copy(path("old"), path("result"), fs::copy_options::recursive);
+    const std::optional<KilledRun> run = run_killed_at(nth, {"report", "result"}, path());
+    if (!run) GTEST_SKIP() << "the system lets no program trace another";
+    EXPECT_THAT(files_in("result"), testing::IsSupersetOf(part(older, "notes.txt")));
+    for (const char* name : {"whole/", "other/"}) {
+      if (!is_result_folder(path("result/" + std::string(name)))) continue;
+      const auto found = part(files_in("result"), name);
+      EXPECT_TRUE(found == part(older, name) || found == part(newer, name)) << name;
+    }
+    if (run->was_killed) ++kills;
+    const Outcome outcome = call({"report", "result"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(files_in("result") == newer);
+    if (!run->was_killed || HasFailure()) break;
+  }
+  EXPECT_GT(kills, 10);
 }
 
 }  // namespace

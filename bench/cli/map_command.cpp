@@ -12,9 +12,11 @@
 #include "bench/cli/map_run.h"
 #include "bench/cli/output_folder.h"
 #include "bench/cli/progress.h"
+#include "bench/process/folder_lock.h"
 #include "bench/process/process_cost.h"
 #include "bench/process/stopwatch.h"
 #include "bench/process/thread_limit.h"
+#include "bench/scenario/publication.h"
 #include "core/data_path.h"
 #include "core/input_error.h"
 #include "core/log/log_description.h"
@@ -101,6 +103,13 @@ std::string folder_for(const MapArguments& arguments) {
                    "name a folder with --out");
 }
 
+void check_folder(const std::string& folder) {
+  const OutputFolder probe(folder);
+  const FolderLock lock(folder);
+  finish_publication(folder);  // of a program that was killed
+  refuse_foreign_map_files(folder);
+}
+
 void print_log(const std::string& path, const RecordedLog& log, double seconds) {
   int scans = 0;
   int readings = 0;
@@ -144,10 +153,11 @@ int map_log(const MapArguments& arguments) {
   const ChosenLog chosen = chosen_log(arguments.log);
   const MapConfig config = map_config_from(settings, {.log = chosen.options});
   const std::string folder = folder_for(arguments);
-  { const OutputFolder probe(folder); }  // refused before the log is read
+  check_folder(folder);  // refused before the log is read
   const RecordedLog log = while_told("reading", [&] { return load_log(chosen.path, config.log); });
   print_log(arguments.log, log, stopwatch.seconds());
   const OutputFolder made(folder);
+  const FolderLock lock(folder);
 
   const InterruptGuard interrupt;  // not before: there is nothing to keep while a log is read
   MapRun run = [&] {

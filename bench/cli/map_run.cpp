@@ -10,9 +10,11 @@
 #include "algorithms/grid/map_file.h"
 #include "algorithms/grid/map_image.h"
 #include "bench/plot/map_picture.h"
+#include "bench/process/foreign_files.h"
 #include "bench/process/process_cost.h"
 #include "bench/process/stopwatch.h"
 #include "bench/process/version.h"
+#include "bench/scenario/publication.h"
 #include "core/file/atomic_file.h"
 #include "core/file/utf8.h"
 #include "core/geometry/tum_file.h"
@@ -21,6 +23,8 @@
 
 namespace mapbed {
 namespace {
+
+constexpr const char* kMark = "summary.json";
 
 int count_scans(const SensorLog& log) {
   return static_cast<int>(std::count_if(log.begin(), log.end(), [](const Measurement& m) {
@@ -128,23 +132,31 @@ void write_map_run(const std::string& folder, const std::string& log_name, const
                      "all beams are longer than the usable range",
                      "raise map.beams.usable_range, or take another log; nothing was written");
   }
-  const auto in_folder = [&](const char* name) {
-    return (std::filesystem::path(folder) / name).string();
-  };
-  write_trajectory(in_folder("trajectory.tum"), run.estimate.trajectory);
-  write_map(in_folder("map"), run.map);
-  write_png(in_folder("map.png"), to_image(run.map));
-  write_png(in_folder("picture.png"),
+  Publication coming(folder, kMark);
+  write_trajectory(coming.add("trajectory.tum"), run.estimate.trajectory);
+  coming.add("map.pgm");
+  const std::string yaml = coming.add("map.yaml");
+  write_map(yaml.substr(0, yaml.rfind('.')), run.map);
+  write_png(coming.add("map.png"), to_image(run.map));
+  write_png(coming.add("picture.png"),
             picture_of(run.map, {{run.config.method, run.estimate.trajectory}}));
-  write_file(in_folder("config.yaml"), to_yaml(run.config));
-  write_file(in_folder("cost.csv"), cost_csv(run.cost));
-  write_file(in_folder("summary.json"), summary_json(log_name, log, run));
+  write_file(coming.add("config.yaml"), to_yaml(run.config));
+  write_file(coming.add("cost.csv"), cost_csv(run.cost));
+  write_file(coming.add(kMark), summary_json(log_name, log, run));
+  coming.commit();
+}
+
+void refuse_foreign_map_files(const std::string& folder) {
+  const std::vector<std::string> coming{"trajectory.tum", "map.pgm",     "map.yaml", "map.png",
+                                        "picture.png",    "config.yaml", "cost.csv", kMark};
+  refuse_foreign(folder, coming, log_of_map(folder).empty() ? std::vector<std::string>{} : coming);
 }
 
 std::string log_of_map(const std::string& folder) {
-  std::ifstream file(std::filesystem::path(folder) / "summary.json");
+  std::ifstream file(std::filesystem::path(folder) / kMark);
   const auto json = nlohmann::json::parse(file, nullptr, false);
-  const bool has_log = json.is_object() && json.contains("log") && json["log"].is_string();
+  const bool has_log = json.is_object() && json.contains("mapbed") && json.contains("log") &&
+                       json["log"].is_string();
   return has_log ? json["log"].get<std::string>() : "";
 }
 

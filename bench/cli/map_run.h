@@ -35,7 +35,7 @@ struct MapRun {
 MapRun make_map(const RecordedLog& log, const MapConfig& config,
                 const std::function<bool(std::size_t done, std::size_t total)>& may_go_on);
 
-// The folder's files, each complete or not at all:
+// The folder's files, all of them or none; an older map's are there until then:
 //
 //   trajectory.tum      a pose for each scan, by the log's own absolute stamps
 //   map.pgm, map.yaml   for map servers; map.png the same picture
@@ -44,9 +44,13 @@ MapRun make_map(const RecordedLog& log, const MapConfig& config,
 //   cost.csv            time and memory
 //   summary.json        the rest in numbers; written last
 //
-// Throws InputError where one cannot be written.
+// Throws InputError where one cannot be written. The folder is locked, and nothing is being
+// published in it.
 void write_map_run(const std::string& folder, const std::string& log_name, const RecordedLog& log,
                    const MapRun& run);
+
+// Throws InputError where one of these would take the place of somebody else's file.
+void refuse_foreign_map_files(const std::string& folder);
 
 // The `log_name` of the map that a folder holds; empty where it holds none.
 std::string log_of_map(const std::string& folder);

@@ -12,7 +12,7 @@
 #include "bench/cli/interrupt.h"
 #include "bench/cli/output_folder.h"
 #include "bench/cli/progress.h"
-#include "bench/pages/overview_page.h"
+#include "bench/pages/reports.h"
 #include "bench/process/thread_limit.h"
 #include "bench/results/result_tables.h"
 #include "bench/scenario/identity.h"
@@ -134,7 +134,7 @@ int run(const RunArguments& arguments) {
                result.results.runs.size(), plan.runs_to_do().size());
     return kInterrupted;
   }
-  while_told("writing pages", [&] { return write_reports(options.folder); });
+  while_told("writing pages", [&] { write_page(options.folder); });
   print_result(result, options.folder);
   return arguments.strict && !all_held(result.results) ? kClaimsNotHeld : kDone;
 }

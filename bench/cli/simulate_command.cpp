@@ -72,6 +72,7 @@ SimulationToRun simulation_of(const SimulateArguments& a) {
 
 int simulate(const SimulateArguments& arguments) {
   check_writable(arguments.log);
+  refuse_foreign_simulation_files(arguments.log);
   const SimulationToRun to_run =
       while_told("building the world", [&] { return simulation_of(arguments); });
   const Stopwatch stopwatch;

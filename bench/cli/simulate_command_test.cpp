@@ -49,6 +49,23 @@ TEST_F(SimulateCommand, WritesALogWithTruthRelationsAndMap) {
   EXPECT_EQ(map.status, 0) << map.err;
 }
 
+TEST_F(SimulateCommand, ReplacesItsOwnFilesAndNoOthers) {
+  for (const char* name : {"a.tum", "a.config.yaml", "a_map.yaml"}) {
+    write(name, "seed: of my own\n");
+    expect_refusal(short_drive("a.log"),
+                   name + std::string(": was not written by mapbed, and would be written over"));
+    EXPECT_EQ(text(name), "seed: of my own\n");
+    EXPECT_FALSE(fs::exists(path("a.log")));
+    fs::remove(path(name));
+  }
+  fs::create_symlink("b.log", path("a.log"));
+  for (const char* once : {"at first", "again"}) {
+    EXPECT_EQ(call(short_drive("a.log")).status, 0) << once;
+    EXPECT_TRUE(fs::is_symlink(path("a.log")));
+    EXPECT_TRUE(fs::exists(path("b.log")));
+  }
+}
+
 TEST_F(SimulateCommand, TheSameSeedGivesTheSameBytes) {
   ASSERT_EQ(call(short_drive("a.log")).status, 0);
   ASSERT_EQ(call(short_drive("b.log")).status, 0);

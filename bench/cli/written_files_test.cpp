@@ -1,5 +1,6 @@
-// Every file that run, simulate and map write, read with the program's own reader; where there is a
-// writer of what was read, it gives the same bytes again.
+// Every file that the commands write, read with the program's own reader; where there is a writer
+// of what was read, it gives the same bytes again. What render writes is read in the test of
+// render, what a run leaves that is killed in those of the journal and of the staging folder.
 
 #include <filesystem>
 #include <functional>
@@ -11,7 +12,11 @@
 #include "algorithms/grid/map_file.h"
 #include "algorithms/motion/motion_learning.h"
 #include "bench/cli/map_run.h"
+#include "bench/metrics/evaluation.h"
 #include "bench/metrics/relations.h"
+#include "bench/pages/html.h"
+#include "bench/pages/overview_page.h"
+#include "bench/pages/reports.h"
 #include "bench/plot/testing/well_formed.h"
 #include "bench/results/result_folder.h"
 #include "bench/scenario/testing/own_files.h"
@@ -187,6 +192,31 @@ TEST_F(WrittenFiles, OfAMap) {
                     {"config.yaml", is_config},
                     {".csv", is_table},
                     {"summary.json", is_json}});
+}
+
+// Pages are read to see that they may be written over.
+TEST_F(WrittenFiles, OfAReport) {
+  run(planned(scenario("room.yaml")), "all/r");
+  const auto written = write_reports(path("all"));
+  EXPECT_EQ(written.size(), 3u);
+  for (const std::string& page : written) {
+    EXPECT_TRUE(page.ends_with(".md") ? is_markdown_of_ours(page) : is_page_of_ours(page)) << page;
+  }
+  expect_same_result("all/r");
+  const auto before = bytes_of("all");
+  write_reports(path("all"));
+  EXPECT_EQ(bytes_of("all"), before);
+}
+
+TEST_F(WrittenFiles, OfAnEvaluation) {
+  const Trajectory truth{{0.0, {0, 0, 0}}, {1.0, {1, 0, 0}}, {2.0, {2, 0, 0}}, {3.0, {2, 1, 1.5}}};
+  const Evaluation evaluation{.relations = RelationsError{.count = 3, .mean_translation = 0.25},
+                              .truth = compare_with_truth(truth, truth, {})};
+  const auto json = nlohmann::json::parse(json_of(evaluation));
+  EXPECT_EQ(json.at("relations").at("count"), 3);
+  EXPECT_EQ(json.at("relations").at("mean_translation_m"), 0.25);
+  EXPECT_EQ(json.at("truth").at("pairs"), 4);
+  EXPECT_TRUE(json.at("truth").at("over_path").is_object()) << "though the path is too short";
 }
 
 // What a drive has learned is what `odometry_errors: FILE` reads.

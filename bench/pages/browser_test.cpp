@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "bench/pages/overview_page.h"
+#include "bench/pages/reports.h"
 #include "bench/pages/testing/example_results.h"
 #include "bench/plot/svg_text.h"
 #include "core/file/text_file.h"

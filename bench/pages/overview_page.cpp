@@ -10,11 +10,7 @@
 #include "bench/pages/pictures_html.h"
 #include "bench/pages/scenario_page.h"
 #include "bench/plot/svg_text.h"
-#include "bench/results/result_folder.h"
-#include "core/file/atomic_file.h"
 #include "core/file/file_reader.h"
-#include "core/file/text_file.h"
-#include "core/input_error.h"
 
 namespace mapbed {
 namespace {
@@ -68,11 +64,10 @@ std::string short_html(const ReportedResults& result) {
       result.results.thesis.empty() ? ""
                                     : ", beside the thesis: " + xml_escaped(result.results.thesis));
   html += badges_html(result.results) + claims_html(result.results);
-  const std::vector<Picture> figures = figures_of(result.folder, result.results);
+  const std::vector<Picture> figures = figures_of(result);
   if (!figures.empty()) html += "<div class=\"figures\">\n";
   for (const Picture& figure : figures) {
-    html += "<figure>\n" + figure_html(read_text_file(result.folder + "/" + figure.path)) +
-            "</figure>\n";
+    html += "<figure>\n" + figure_html(content_of(result, figure)) + "</figure>\n";
   }
   if (!figures.empty()) html += "</div>\n";
   return html + "</section>\n";
@@ -100,27 +95,13 @@ std::string short_markdown(const ReportedResults& result) {
     text += fmt::format("| {} | {} | {} | {} |\n", markdown(v.claim), verdict, markdown(v.measured),
                         markdown(v.thesis));
   }
-  for (const Picture& figure : figures_of(result.folder, result.results)) {
+  for (const Picture& figure : figures_of(result)) {
     text += fmt::format("\n![{}]({}/{})\n", markdown(caption_of(figure)), name, figure.path);
   }
   return text;
 }
 
 constexpr std::string_view kMarkdownMark = "\n\nWritten by `mapbed report`.";
-
-bool is_markdown_of_ours(const std::string& path) {
-  FileReader file(path);
-  return file.next().find(kMarkdownMark) != std::string_view::npos;
-}
-
-// What somebody else has written is not written over.
-void refuse_foreign(const std::string& folder, const char* name,
-                    bool (*is_ours)(const std::string& path)) {
-  const std::string path = (fs::path(folder) / name).string();
-  if (!fs::exists(path) || is_ours(path)) return;
-  throw InputError({path}, "was not written by mapbed, and a page would take its place",
-                   "move it away, or name another folder");
-}
 
 }  // namespace
 
@@ -160,33 +141,9 @@ std::string overview_markdown(const std::vector<ReportedResults>& all) {
   return text;
 }
 
-void refuse_foreign_page(const std::string& folder) {
-  refuse_foreign(folder, "report.html", is_page_of_ours);
-}
-
-void refuse_foreign_pages(const std::string& folder) {
-  for (const std::string& path : result_folders(folder)) refuse_foreign_page(path);
-  if (is_result_folder(folder)) return;
-  refuse_foreign_page(folder);
-  refuse_foreign(folder, "README.md", is_markdown_of_ours);
-}
-
-std::vector<std::string> write_reports(const std::string& folder) {
-  refuse_foreign_pages(folder);
-  std::vector<std::string> written;
-  const auto write = [&](const std::string& path, const std::string& text) {
-    write_file(path, text);
-    written.push_back(path);
-  };
-  std::vector<ReportedResults> all;
-  for (const std::string& path : result_folders(folder)) {
-    all.push_back({path, load_results(path)});
-    write((fs::path(path) / "report.html").string(), scenario_page(path, all.back().results));
-  }
-  if (is_result_folder(folder)) return written;
-  write((fs::path(folder) / "report.html").string(), overview_page(all));
-  write((fs::path(folder) / "README.md").string(), overview_markdown(all));
-  return written;
+bool is_markdown_of_ours(const std::string& path) {
+  FileReader file(path);
+  return file.next().find(kMarkdownMark) != std::string_view::npos;
 }
 
 }  // namespace mapbed

@@ -23,8 +23,15 @@ std::string without_extension(const std::string& name) {
   return name.substr(0, name.rfind('.'));
 }
 
-std::string content_of(const std::string& folder, const Picture& picture) {
-  return read_text_file((fs::path(folder) / picture.path).string(), kLargestPicture);
+// As it was drawn now; else nothing.
+const ResultFile* drawn(const ReportedResults& reported, const std::string& path) {
+  const auto found = std::find_if(reported.drawn.begin(), reported.drawn.end(),
+                                  [&](const ResultFile& file) { return file.path == path; });
+  return found == reported.drawn.end() ? nullptr : &*found;
+}
+
+bool is_there(const ReportedResults& reported, const std::string& path) {
+  return drawn(reported, path) != nullptr || fs::exists(fs::path(reported.folder) / path);
 }
 
 // "map, people 3, raw"
@@ -33,12 +40,13 @@ std::string joined(const std::string& title, const std::string& run) {
 }
 
 // Of single runs, in that folder. Results are kept without their larger files, too.
-std::vector<Picture> pictures_of_runs(const std::string& folder, const Results& results,
-                                      const std::string& inner, const std::string& extension) {
+std::vector<Picture> pictures_of_runs(const ReportedResults& reported, const std::string& inner,
+                                      const std::string& extension) {
+  const Results& results = reported.results;
   std::vector<Picture> pictures;
   for (const FileOfRun& file : results.files) {
     const bool is_one = file.path.starts_with(inner + "/") && file.path.ends_with(extension);
-    if (!is_one || !fs::exists(fs::path(folder) / file.path)) continue;
+    if (!is_one || !is_there(reported, file.path)) continue;
     const auto run = std::find_if(results.runs.begin(), results.runs.end(),
                                   [&](const RunRow& row) { return row.run == file.run; });
     pictures.push_back(
@@ -79,47 +87,52 @@ std::string caption_of(const Picture& picture) {
   return joined(picture.title, picture.run);
 }
 
-std::vector<Picture> figures_of(const std::string& folder, const Results& results) {
+std::vector<Picture> figures_of(const ReportedResults& reported) {
   std::vector<Picture> figures;
-  for (const PlotSpec& plot : results.plots) {
+  for (const PlotSpec& plot : reported.results.plots) {
     const std::string path = "figures/" + plot.file + ".svg";
-    if (fs::exists(fs::path(folder) / path)) figures.push_back({path, plot.title, ""});
+    if (is_there(reported, path)) figures.push_back({path, plot.title, ""});
   }
-  const std::vector<Picture> of_runs = pictures_of_runs(folder, results, "figures", ".svg");
+  const std::vector<Picture> of_runs = pictures_of_runs(reported, "figures", ".svg");
   figures.insert(figures.end(), of_runs.begin(), of_runs.end());
   return figures;
 }
 
-std::string figures_html(const std::string& folder, const Results& results) {
+std::string content_of(const ReportedResults& reported, const Picture& picture) {
+  if (const ResultFile* file = drawn(reported, picture.path)) return file->content;
+  return read_text_file((fs::path(reported.folder) / picture.path).string(), kLargestPicture);
+}
+
+std::string figures_html(const ReportedResults& reported) {
   std::string html;
-  for (const Picture& figure : figures_of(folder, results)) {
+  for (const Picture& figure : figures_of(reported)) {
     html += fmt::format(
         "<figure>\n{0}<figcaption>Files: <a href=\"{1}.svg\">picture</a>, "
         "<a href=\"{1}.csv\">numbers</a></figcaption></figure>\n",
-        figure_html(content_of(folder, figure)), xml_escaped(without_extension(figure.path)));
+        figure_html(content_of(reported, figure)), xml_escaped(without_extension(figure.path)));
   }
   return html.empty() ? "" : "<div class=\"figures\">\n" + html + "</div>\n";
 }
 
-std::string maps_html(const std::string& folder, const Results& results) {
+std::string maps_html(const ReportedResults& reported) {
   std::string html;
-  for (const Picture& map : pictures_of_runs(folder, results, "maps", ".png")) {
+  for (const Picture& map : pictures_of_runs(reported, "maps", ".png")) {
     const std::string title = xml_escaped(caption_of(map));
     html += fmt::format(
         "<figure><img src=\"{}\" alt=\"Map: {}\" loading=\"lazy\"><figcaption>{}"
         "</figcaption></figure>\n",
-        png_address(content_of(folder, map)), title, title);
+        png_address(content_of(reported, map)), title, title);
   }
   return html.empty() ? "" : "<div class=\"figures\">\n" + html + "</div>\n";
 }
 
-std::string replays_html(const std::string& folder, const Results& results) {
+std::string replays_html(const ReportedResults& reported) {
   std::string html;
-  for (const Picture& replay : pictures_of_runs(folder, results, "replays", ".json")) {
-    const std::string content = content_of(folder, replay);
+  for (const Picture& replay : pictures_of_runs(reported, "replays", ".json")) {
+    const std::string content = content_of(reported, replay);
     const auto json = nlohmann::json::parse(content, nullptr, false);
     if (!json.is_object()) {
-      throw InputError({(fs::path(folder) / replay.path).string()},
+      throw InputError({(fs::path(reported.folder) / replay.path).string()},
                        "is not a replay: not a JSON object");
     }
     const auto named = json.find("title");

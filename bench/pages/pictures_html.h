@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/results/results.h"
+#include "bench/pages/reported_results.h"
 
 namespace mapbed {
 
@@ -17,12 +17,15 @@ struct Picture {
 std::string caption_of(const Picture& picture);  // "map, people 3, raw"
 
 // The scenario's own plots, in its order, then those of single runs as people sort them.
-std::vector<Picture> figures_of(const std::string& folder, const Results& results);
+std::vector<Picture> figures_of(const ReportedResults& reported);
+
+// Of a picture's file.
+std::string content_of(const ReportedResults& reported, const Picture& picture);
 
 // The pictures of a result as parts of its page; empty where it has none.
-std::string figures_html(const std::string& folder, const Results& results);
-std::string maps_html(const std::string& folder, const Results& results);
+std::string figures_html(const ReportedResults& reported);
+std::string maps_html(const ReportedResults& reported);
 // With their controls; throws InputError.
-std::string replays_html(const std::string& folder, const Results& results);
+std::string replays_html(const ReportedResults& reported);
 
 }  // namespace mapbed

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "bench/pages/html.h"
-#include "bench/pages/overview_page.h"
 #include "bench/pages/pictures_html.h"
+#include "bench/pages/reports.h"
 #include "bench/pages/scenario_page.h"
 #include "bench/pages/testing/example_results.h"
 #include "bench/results/result_folder.h"
@@ -32,7 +32,7 @@ class ReportPage : public ::testing::Test {
   ReportPage() { make_example_results(folder_.file("example")); }
   std::string page() const {
     const std::string folder = folder_.file("example");
-    return scenario_page(folder, load_results(folder));
+    return scenario_page({folder, load_results(folder)});
   }
   TemporaryFolder folder_;
 };
@@ -91,7 +91,7 @@ TEST_F(ReportPage, ShowsTheScenariosPlotsFirstAndThenSingleRunsAsPeopleSort) {
     write_text_file(folder + "/figures/" + name + ".svg", "<svg/>");
   }
   std::vector<std::string> paths;
-  for (const Picture& figure : figures_of(folder, results)) paths.push_back(figure.path);
+  for (const Picture& figure : figures_of({folder, results})) paths.push_back(figure.path);
   EXPECT_THAT(paths, ElementsAre("figures/success.svg", "figures/error.svg",
                                  "figures/after_90_s.svg", "figures/after_130_s.svg"));
 }
@@ -127,6 +127,29 @@ TEST_F(ReportPage, OfSomebodyElseIsNotWrittenOver) {
     EXPECT_INPUT_ERROR(write_reports(folder_.file("")), "report.html: was not written by mapbed");
     write_text_file(folder_.file(page), ours);
   }
+}
+
+TEST_F(ReportPage, WhereOneCannotBeWrittenNothingChanges) {
+  std::filesystem::copy(folder_.file("example"), folder_.file("other"),
+                        std::filesystem::copy_options::recursive);
+  write_text_file(folder_.file("other/.publication"), "is in the way");
+  write_text_file(folder_.file("example/figures/error.svg"), "<svg>of old</svg>");
+  EXPECT_INPUT_ERROR(write_reports(folder_.file("")), "other/.publication");
+  EXPECT_EQ(read_text_file(folder_.file("example/figures/error.svg")), "<svg>of old</svg>");
+  EXPECT_EQ(folder_.files(), 2u) << "no overview, and no litter";
+  for (const char* name : {"example/report.html", "example/.publication"}) {
+    EXPECT_FALSE(std::filesystem::exists(folder_.file(name))) << name;
+  }
+}
+
+TEST_F(ReportPage, AResultAtWhichARunIsAtWorkIsShownAndNotTouched) {
+  write_text_file(folder_.file("example/figures/error.svg"), "<svg>of old</svg>");
+  EXPECT_THAT(write_reports(folder_.file(""), {folder_.file("example")}),
+              ElementsAre(folder_.file("report.html"), folder_.file("README.md")));
+  EXPECT_EQ(read_text_file(folder_.file("example/figures/error.svg")), "<svg>of old</svg>");
+  EXPECT_THAT(read_text_file(folder_.file("report.html")), HasSubstr("of old"));
+  write_reports(folder_.file(""));
+  EXPECT_THAT(read_text_file(folder_.file("report.html")), Not(HasSubstr("of old")));
 }
 
 TEST_F(ReportPage, TheSameResultsAreTheSamePage) {

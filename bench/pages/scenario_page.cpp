@@ -179,8 +179,9 @@ std::string badges_html(const Results& results) {
   return html + "</ul>\n";
 }
 
-std::string scenario_page(const std::string& folder, const Results& results) {
-  const std::string replays = replays_html(folder, results);
+std::string scenario_page(const ReportedResults& reported) {
+  const Results& results = reported.results;
+  const std::string replays = replays_html(reported);
   HtmlPage page{.title = results.id + " \u2013 mapbed", .with_replay = !replays.empty()};
   const std::string question = results.about.empty() ? results.id : results.about;
   page.body = fmt::format("<header>\n<p class=\"kind\">Scenario <code>{}</code></p>\n<h1>{}</h1>\n",
@@ -190,8 +191,8 @@ std::string scenario_page(const std::string& folder, const Results& results) {
   }
   page.body += badges_html(results) + skipped_html(results) + "</header>\n<main>\n";
   page.body += section("Claims", claims_html(results));
-  page.body += section("Figures", figures_html(folder, results));
-  page.body += section("Maps", maps_html(folder, results));
+  page.body += section("Figures", figures_html(reported));
+  page.body += section("Maps", maps_html(reported));
   page.body += section("Replay", replays);
   page.body += section("Numbers", summary_html(results));
   page.body += section("Failed runs", failures_html(results));

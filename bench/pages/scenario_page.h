@@ -2,14 +2,13 @@
 
 #include <string>
 
-#include "bench/results/results.h"
+#include "bench/pages/reported_results.h"
 
 namespace mapbed {
 
 // The page of one scenario: the question, the claims with the thesis beside them, figures, maps,
-// replays, all numbers, and what they were made with. One file that needs no network. Pictures are
-// read from `folder`.
-std::string scenario_page(const std::string& folder, const Results& results);
+// replays, all numbers, and what they were made with. One file that needs no network.
+std::string scenario_page(const ReportedResults& reported);
 
 // "2 of 3" of a page's figures.
 struct ClaimCount {

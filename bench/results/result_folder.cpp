@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bench/process/foreign_files.h"
 #include "bench/results/plan_yaml.h"
 #include "bench/results/result_tables.h"
 #include "bench/results/run_files.h"
@@ -57,13 +58,23 @@ void check_tables(const fs::path& folder, const std::string& provenance_json) {
   }
 }
 
+std::vector<std::string> plot_paths(const Results& results) {
+  std::vector<std::string> paths;
+  for (const PlotSpec& plot : results.plots) {
+    for (const char* kind : {".svg", ".csv"}) paths.push_back("figures/" + plot.file + kind);
+  }
+  return paths;
+}
+
+void append(const std::vector<std::string>& more, std::vector<std::string>& all) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
 }  // namespace
 
 bool is_plot(const Results& results, const std::string& path) {
-  return std::any_of(results.plots.begin(), results.plots.end(), [&](const PlotSpec& plot) {
-    const std::string base = "figures/" + plot.file;
-    return path == base + ".svg" || path == base + ".csv";
-  });
+  const std::vector<std::string> paths = plot_paths(results);
+  return std::find(paths.begin(), paths.end(), path) != paths.end();
 }
 
 bool is_as_written(const std::string& folder, const ResultFile& file) {
@@ -143,36 +154,31 @@ Results load_results(const std::string& folder) {
   return results;
 }
 
-std::vector<std::string> paths_of_result(const std::string& folder) {
+std::vector<std::string> paths_of_result(const std::string& folder) try {
   const fs::path base(folder);
-  if (!is_result_folder(folder)) return {};
+  if (!fs::exists(base / "config.yaml")) return {};
   std::vector<std::string> paths{"report.html"};
   for (const ResultFile& file : files_of(Results{})) paths.push_back(file.path);
-  try {
-    for (const PlotSpec& plot : load_plan((base / "config.yaml").string()).plots) {
-      for (const char* kind : {".svg", ".csv"}) paths.push_back("figures/" + plot.file + kind);
-    }
-    const std::string list = (base / "files.csv").string();
-    for (const FileOfRun& file : parse_files(list, text_of(list))) paths.push_back(file.path);
-  } catch (const InputError&) {
-    // Of another program: what else is its own is not known.
-  }
+  append(plot_paths(load_plan((base / "config.yaml").string())), paths);
+  const std::string list = (base / "files.csv").string();
+  for (const FileOfRun& file : parse_files(list, text_of(list))) paths.push_back(file.path);
   return paths;
+} catch (const InputError&) {
+  return {};
 }
 
-void refuse_foreign_files(const std::string& folder) {
-  const fs::path base(folder);
-  for (const ResultFile& file : files_of(Results{})) {
-    if (!fs::exists(base / file.path)) continue;
-    try {
-      (void)load_plan((base / "config.yaml").string());
-    } catch (const InputError&) {
-      throw InputError({(base / file.path).string()},
-                       "is no result's, and one would take its place",
-                       "choose another folder with --out, or move the file away");
-    }
-    return;
-  }
+void refuse_foreign_files(const std::string& folder, const Results& planned) {
+  std::vector<std::string> coming;
+  for (const ResultFile& file : files_of(Results{})) coming.push_back(file.path);
+  append(plot_paths(planned), coming);
+  refuse_foreign(folder, coming, paths_of_result(folder));
+}
+
+bool is_foreign(const std::string& folder, const std::string& path) {
+  if (!fs::exists(fs::symlink_status(fs::path(folder) / path))) return false;
+  const std::vector<std::string> ours = paths_of_result(folder);
+  const bool lists_all = ours.empty() || fs::exists(fs::path(folder) / "files.csv");
+  return lists_all && std::find(ours.begin(), ours.end(), path) == ours.end();
 }
 
 bool is_result_folder(const std::string& folder) {

@@ -32,15 +32,19 @@ void write_results(const std::string& folder, const Results& results);
 Results load_results(const std::string& folder);
 
 // All that the result of a folder consists of, below the folder: tables, plots, the listed files of
-// its runs and its page, be they there or not. Empty where the folder holds no result.
+// its runs and its page, be they there or not. Empty where the folder holds no result that can be
+// read.
 std::vector<std::string> paths_of_result(const std::string& folder);
 
 // Whether that file is one of a scenario's plots.
 bool is_plot(const Results& results, const std::string& path);
 
-// Throws InputError where files are there that have the names of a result's and belong to none: a
-// result would take their place.
-void refuse_foreign_files(const std::string& folder);
+// Throws InputError where tables or plots of `planned` would take the place of somebody else's
+// files.
+void refuse_foreign_files(const std::string& folder, const Results& planned);
+
+// Whether that file of a run would.
+bool is_foreign(const std::string& folder, const std::string& path);
 
 bool is_result_folder(const std::string& folder);  // has config.yaml and summary.csv
 

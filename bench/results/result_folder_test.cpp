@@ -171,12 +171,32 @@ TEST_F(ResultFolder, WhatIsAsWrittenIsNotWrittenAgain) {
 
 TEST_F(ResultFolder, OfSomebodyElsesFilesIsRefused) {
   std::filesystem::create_directories(folder_.file("r"));
-  EXPECT_NO_THROW(refuse_foreign_files(folder_.file("r")));
+  const std::string folder = folder_.file("r");
+  EXPECT_NO_THROW(refuse_foreign_files(folder, rich()));
   write("r", plain());
-  EXPECT_NO_THROW(refuse_foreign_files(folder_.file("r")));
-  write_text_file(folder_.file("r/config.yaml"), "mine: 1\n");
-  EXPECT_INPUT_ERROR(refuse_foreign_files(folder_.file("r")),
-                     "r/config.yaml: is no result's, and one would take its place");
+  EXPECT_NO_THROW(refuse_foreign_files(folder, rich()));
+  write_text_file(folder + "/config.yaml", "mine: 1\n");
+  EXPECT_INPUT_ERROR(refuse_foreign_files(folder, rich()),
+                     "r/config.yaml: was not written by mapbed, and would be written over");
+}
+
+TEST_F(ResultFolder, OfAnotherScenarioMayHoldSomebodysPicturesAllTheSame) {
+  const std::string folder = folder_.file("r");
+  std::filesystem::create_directories(folder + "/figures");
+  write_text_file(folder + "/figures/error.svg", "drawn by hand");
+  EXPECT_NO_THROW(refuse_foreign_files(folder, plain())) << "which has no such plot";
+  write("r", plain());
+  EXPECT_INPUT_ERROR(refuse_foreign_files(folder, rich()),
+                     "r/figures/error.svg: was not written by mapbed");
+  std::filesystem::remove(folder + "/figures/error.svg");
+  write("r", rich());
+  std::filesystem::create_directories(folder + "/maps");
+  for (const char* name : {"/maps/map_level_0_raw.png", "/maps/mine.png"}) {
+    write_text_file(folder + name, "x");
+  }
+  EXPECT_FALSE(is_foreign(folder, "maps/map_level_0_raw.png")) << "is listed";
+  EXPECT_TRUE(is_foreign(folder, "maps/mine.png"));
+  EXPECT_FALSE(is_foreign(folder, "maps/none.png")) << "is not there";
 }
 
 TEST_F(ResultFolder, TablesThatWereChangedSinceAreRefused) {

@@ -30,10 +30,11 @@ fs::path list_in(const fs::path& folder) {
   return work_folder(folder) / "list";
 }
 
-// Figures and tables. The configuration is last: a folder without it is no result's.
-std::vector<ResultFile> made_of(const Results& results) {
+// Figures, page and tables. The configuration is last: a folder without it is no result's.
+std::vector<ResultFile> made_of(const Results& results, const std::string& page) {
   std::vector<ResultFile> files = figure_files(results);
   const std::vector<ResultFile> tables = files_of(results);
+  files.push_back({"report.html", page});
   files.insert(files.end(), tables.begin(), tables.end());
   std::erase_if(files, [](const ResultFile& file) { return file.content.empty(); });
   std::stable_partition(files.begin(), files.end(),
@@ -41,23 +42,21 @@ std::vector<ResultFile> made_of(const Results& results) {
   return files;
 }
 
-std::set<std::string> paths_of(const std::vector<ResultFile>& made, const Results& results) {
-  std::set<std::string> paths;
-  for (const ResultFile& file : made) paths.insert(file.path);
-  for (const FileOfRun& file : results.files) paths.insert(file.path);
-  return paths;
+// Of the older result, what the new one does not have.
+std::vector<std::string> gone_from(const std::string& folder, const std::vector<ResultFile>& made,
+                                   const Results& results) {
+  std::set<std::string> now;
+  for (const ResultFile& file : made) now.insert(file.path);
+  for (const FileOfRun& file : results.files) now.insert(file.path);
+  std::vector<std::string> gone = paths_of_result(folder);
+  std::erase_if(gone, [&](const std::string& path) {
+    return now.contains(path) || !fs::exists(fs::path(folder) / path);
+  });
+  return gone;
 }
 
-bool is_published(const std::string& folder, const std::vector<ResultFile>& made,
-                  const Results& results) {
-  const std::set<std::string> now = paths_of(made, results);
-  for (const std::string& path : paths_of_result(folder)) {
-    if (path != "report.html" && !now.contains(path) && fs::exists(fs::path(folder) / path)) {
-      return false;
-    }
-  }
-  return std::all_of(made.begin(), made.end(),
-                     [&](const ResultFile& file) { return is_as_written(folder, file); });
+bool is_page(const std::string& path) {
+  return path == "report.html";
 }
 
 void sync_files(const fs::path& base, const std::vector<std::string>& paths) {
@@ -117,55 +116,89 @@ void carry_out(const fs::path& folder, const std::vector<CsvRow>& list) {
                    "start again when it can be; the runs are kept");
 }
 
-// What goes, what comes, and what was needed on the way.
-std::vector<CsvRow> list_of(const std::string& folder, const Results& results,
-                            const std::vector<ResultFile>& made, const std::string& staging) {
-  std::set<std::string> kept;
-  if (staging.empty()) {
-    for (const FileOfRun& file : results.files) kept.insert(file.path);
-  }
-  std::vector<CsvRow> list;
-  std::vector<std::string> older = paths_of_result(folder);
-  std::stable_partition(older.begin(), older.end(),
-                        [](const std::string& path) { return path == "config.yaml"; });
-  for (const std::string& path : older) {
-    if (!kept.contains(path)) list.push_back({kRemove, path, ""});
+}  // namespace
+
+Publication::Publication(const std::string& folder, const Results& results,
+                         const std::string& staging, const std::string& page)
+    : Publication(folder) {
+  std::vector<ResultFile> made = made_of(results, page);
+  const std::vector<std::string> gone = gone_from(folder, made, results);
+  const bool is_other =
+      !staging.empty() ||
+      std::any_of(gone.begin(), gone.end(), [](const auto& path) { return !is_page(path); }) ||
+      std::any_of(made.begin(), made.end(), [&](const ResultFile& file) {
+        return !is_page(file.path) && !is_as_written(folder, file);
+      });
+  // The configuration goes first and comes last, though it be the same; a page alone needs no such
+  // care, and none goes that is of these very results.
+  std::erase_if(made, [&](const ResultFile& file) {
+    return is_as_written(folder, file) && !(is_other && file.path == "config.yaml");
+  });
+  if (is_other) {
+    list_.push_back({kRemove, "config.yaml", ""});
+    for (const std::string& path : gone) list_.push_back({kRemove, path, ""});
   }
   if (!staging.empty()) {
     for (const FileOfRun& file : results.files) {
-      list.push_back({kMove, staging + "/files/" + file.path, file.path});
+      list_.push_back({kMove, staging + "/files/" + file.path, file.path});
     }
   }
-  for (const ResultFile& file : made) {
-    list.push_back({kMove, ".publication/new/" + file.path, file.path});
-  }
-  if (!staging.empty()) list.push_back({kDrop, staging, ""});
-  return list;
+  make(made);
+  if (!staging.empty()) list_.push_back({kDrop, staging, ""});
+  sync();
 }
 
-}  // namespace
+Publication::Publication(const std::string& folder, const std::vector<ResultFile>& files)
+    : Publication(folder) {
+  std::vector<ResultFile> made = files;
+  std::erase_if(made, [&](const ResultFile& file) { return is_as_written(folder, file); });
+  make(made);
+  sync();
+}
+
+Publication::Publication(const std::string& folder, const std::string& mark) : Publication(folder) {
+  list_.push_back({kRemove, mark, ""});
+}
+
+Publication::~Publication() {
+  std::error_code none;
+  if (!fs::exists(list_in(folder_), none)) fs::remove_all(work_folder(folder_), none);
+}
+
+std::string Publication::add(const std::string& path) try {
+  const std::string coming = ".publication/new/" + path;
+  const fs::path file = fs::path(folder_) / coming;
+  fs::create_directories(file.parent_path());
+  list_.push_back({kMove, coming, path});
+  return file.string();
+} catch (const fs::filesystem_error& error) {
+  refuse(folder_, error);
+}
+
+void Publication::make(const std::vector<ResultFile>& files) {
+  for (const ResultFile& file : files) {
+    write_file(add(file.path), file.content, Durability::unsynced);
+  }
+}
+
+void Publication::sync() const {
+  std::vector<std::string> paths;
+  for (const CsvRow& line : list_) {
+    if (line[0] == kMove) paths.push_back(line[1]);
+  }
+  sync_files(folder_, paths);
+  sync_folders_of(folder_, paths);
+}
+
+void Publication::commit() {
+  if (list_.empty()) return;
+  sync();
+  write_file(list_in(folder_).string(), csv_text(list_));
+  finish_publication(folder_);
+}
 
 void publish(const std::string& folder, const Results& results, const std::string& staging) {
-  const std::vector<ResultFile> made = made_of(results);
-  if (staging.empty() && is_published(folder, made, results)) return;
-  try {
-    std::vector<std::string> paths;
-    for (const ResultFile& file : made) {
-      const fs::path path = work_folder(folder) / "new" / file.path;
-      fs::create_directories(path.parent_path());
-      write_file(path.string(), file.content, Durability::unsynced);
-    }
-    const std::vector<CsvRow> list = list_of(folder, results, made, staging);
-    for (const CsvRow& line : list) {
-      if (line[0] == kMove) paths.push_back(line[1]);
-    }
-    sync_files(folder, paths);
-    sync_folders_of(folder, paths);
-    write_file(list_in(folder).string(), csv_text(list));
-  } catch (const fs::filesystem_error& error) {
-    refuse(folder, error);
-  }
-  finish_publication(folder);
+  Publication(folder, results, staging).commit();
 }
 
 void finish_publication(const std::string& folder) try {

@@ -1,8 +1,8 @@
 #include "bench/scenario/run_scenario.h"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
+#include <mutex>
 #include <set>
 
 #include <fmt/format.h>
@@ -97,6 +97,7 @@ ScenarioRun finished_run(const ScenarioPlan& plan, const std::string& folder,
                          const std::string& identity) {
   ScenarioRun run{.results = plan.results, .complete = true};
   Results found = load_results(folder);
+  refuse_foreign_files(folder, plan.results);
   check_rows(found, plan, folder);
   run.results.runs = std::move(found.runs);
   run.results.costs = std::move(found.costs);
@@ -120,14 +121,20 @@ ScenarioRun all_runs(const ScenarioPlan& plan, int threads, StagingFolder& stagi
   const std::size_t total = to_do.size();
   std::erase_if(to_do, [&done](int i) { return done.contains(i); });
 
-  std::atomic<bool> goes_on = may_go_on(run.results.runs.size(), total);
+  bool goes_on = true;  // once it does not, it never does again
+  std::mutex asking;
   RunnerCalls calls;
-  calls.may_go_on = [&goes_on] { return goes_on.load(); };
+  calls.may_go_on = [&] {
+    const std::scoped_lock lock(asking);
+    goes_on = goes_on && may_go_on(run.results.runs.size(), total);
+    return goes_on;
+  };
   calls.done = [&](RunResult result) {
     staging.commit(result);
+    const std::scoped_lock lock(asking);
     run.results.runs.push_back(std::move(result.row));
     run.results.costs.push_back(result.cost);
-    if (!may_go_on(run.results.runs.size(), total)) goes_on = false;
+    goes_on = goes_on && may_go_on(run.results.runs.size(), total);
   };
   run.recordings = do_runs(plan, to_do, threads, calls);
   run.complete = run.results.runs.size() == total;
@@ -145,7 +152,7 @@ ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& opt
   if (!options.restart && finished_identity(options.folder) == identity) {
     return finished_run(plan, options.folder, identity);
   }
-  refuse_foreign_files(options.folder);
+  refuse_foreign_files(options.folder, plan.results);
   StagingFolder staging(options.folder, plan.results, identity, options.restart);
   // Tells a later start why runs that stay unfinished do not count any more.
   write_file((fs::path(options.folder) / "runs" / "tables" / "config.yaml").string(),

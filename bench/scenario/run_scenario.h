@@ -24,8 +24,8 @@ struct ScenarioRun {
   bool complete = false;  // false: interrupted; nothing but the journal was written
 };
 
-// Asked often, with the runs that are done and all that there are; false ends the work with the
-// runs that are under way.
+// Asked often, by one thread at a time, with the runs that are done and all that there are; false
+// ends the work with the runs that are under way. A log that is being recorded or read is left.
 using MayGoOn = std::function<bool(std::size_t done, std::size_t total)>;
 
 // Runs what is not done yet, evaluates the claims, and writes:

@@ -76,18 +76,20 @@ std::uint64_t seed_of(const Experiment& experiment, std::size_t source, std::uin
   return source == 0 ? seed : Rng(seed).stream(experiment.further_logs[source - 1]).bits();
 }
 
-OpenedLogs opened_logs(const ScenarioPlan& plan, const RunRow& row) {
+OpenedLogs opened_logs(const ScenarioPlan& plan, const RunRow& row, const GoesOn& goes_on) {
   OpenedLogs logs;
   const double start = processor_time();
   const PlannedRuns& planned = plan.planned_of(row);
   try {
     for (std::size_t i = 0; i < planned.sources.size(); ++i) {
       const std::uint64_t seed = seed_of(*plan.experiment, i, row.seed);
-      logs.sources.push_back(open_source(*planned.sources[i], seed));
+      logs.sources.push_back(open_source(*planned.sources[i], seed, goes_on));
     }
   } catch (const std::bad_alloc&) {
     throw;  // a failure of the machine, not of the run
   } catch (const InputChanged&) {
+    throw;
+  } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {
     logs.failure = one_line(failure_text(error));
@@ -102,10 +104,10 @@ class Runner {
 
   int recordings() const { return recordings_; }
 
-  void do_group(const std::vector<int>& runs) {
+  void do_group(const std::vector<int>& runs) try {
     if (!calls_.may_go_on()) return;
     const Inside inside(gate_);
-    const OpenedLogs logs = opened_logs(plan_, plan_.row(runs.front()));
+    const OpenedLogs logs = opened_logs(plan_, plan_.row(runs.front()), calls_.may_go_on);
     recordings_ += static_cast<int>(logs.sources.size());
     // Isolated: a thread that waits here shall not begin another group, with a recording more.
     tbb::this_task_arena::isolate([&] {
@@ -118,6 +120,8 @@ class Runner {
         calls_.done(std::move(result));
       });
     });
+  } catch (const Interrupted&) {
+    // The runs of this log are left for the next start.
   }
 
  private:

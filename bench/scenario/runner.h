@@ -6,6 +6,7 @@
 #include "bench/results/result_file.h"
 #include "bench/results/results.h"
 #include "bench/scenario/plan.h"
+#include "core/interrupted.h"
 
 namespace mapbed {
 
@@ -16,10 +17,10 @@ struct RunResult {
   std::vector<Series> series = {};  // in the order of Results::series_metrics; some may be missing
 };
 
-// What the runner tells, from several threads but one at a time.
+// What the runner tells, one thread at a time, and asks, from several.
 struct RunnerCalls {
   std::function<void(RunResult)> done;  // a run is over; throws to stop everything
-  std::function<bool()> may_go_on;      // false: no further run is started
+  GoesOn may_go_on;                     // false: nothing more is started, and no log read on
 };
 
 // Does the runs of these numbers, `threads` at a time at most; runs that share a recording share

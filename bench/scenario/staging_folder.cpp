@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "bench/process/foreign_files.h"
 #include "bench/results/result_folder.h"
 #include "bench/results/result_tables.h"
 #include "bench/results/run_files.h"
@@ -80,6 +81,7 @@ void StagingFolder::own(const std::string& path, int run) {
     throw InputError({path}, "would be the file of a plot and of a run",
                      "give the plot another 'file'");
   }
+  if (is_foreign(folder_.string(), path)) refuse_foreign((folder_ / path).string());
   const auto [owner, is_new] = run_by_file_.emplace(path, run);
   if (is_new) return;
   throw InputError({path},

@@ -25,7 +25,7 @@ class StagingFolder {
   const std::vector<Journal::Entry>& found() const { return found_; }
 
   // A run that is over, with all it gave. Throws InputError where a file of it has the name of
-  // another run's or of a plot's.
+  // another run's, of a plot's, or of somebody else's in the result's folder.
   void commit(const RunResult& result);
 
   // Adds the series and the list of files of all runs of `results`, committed by this start or one

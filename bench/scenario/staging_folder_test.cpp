@@ -42,6 +42,14 @@ class Staging : public ::testing::Test {
   Results plan_ = two_variants("raw", "matched");
 };
 
+TEST_F(Staging, AFileOfSomebodyElseIsNotTakenAway) {
+  fs::create_directory(folder_.file("maps"));
+  std::ofstream(folder_.file("maps/map_raw.png")) << "drawn by hand";
+  StagingFolder staging = opened();
+  EXPECT_INPUT_ERROR(staging.commit(run(0)), "maps/map_raw.png: was not written by mapbed");
+  EXPECT_NO_THROW(staging.commit(run(1)));
+}
+
 TEST_F(Staging, GivesBackRunsWithAllThatTheyGave) {
   {
     StagingFolder staging = opened();

@@ -18,9 +18,10 @@ bool has_truth(const SourcePlan& plan) {
   return plan.is_simulated() || tells_truth(std::get<RecordedPlan>(plan.origin));
 }
 
-std::unique_ptr<LogSource> open_source(const SourcePlan& plan, std::uint64_t seed) {
-  if (!plan.is_simulated()) return open_recorded(std::get<RecordedPlan>(plan.origin));
-  return open_simulated(std::get<PreparedSimulation>(plan.origin), seed);
+std::unique_ptr<LogSource> open_source(const SourcePlan& plan, std::uint64_t seed,
+                                       const GoesOn& goes_on) {
+  if (!plan.is_simulated()) return open_recorded(std::get<RecordedPlan>(plan.origin), goes_on);
+  return open_simulated(std::get<PreparedSimulation>(plan.origin), seed, goes_on);
 }
 
 SimulationPlan simulation_plan(const Settings& settings) {

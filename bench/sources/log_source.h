@@ -10,6 +10,7 @@
 #include "bench/sources/simulate.h"
 #include "core/config/settings.h"
 #include "core/file/input_file.h"
+#include "core/interrupted.h"
 #include "core/log/log_options.h"
 
 // Where the log of a run comes from: it is planned once, from the settings; opened, so recorded or
@@ -65,8 +66,10 @@ class LogSource {
   virtual LogInput input(const SourcePlan& plan, std::uint64_t seed) const = 0;
 };
 
-// Records or reads it. The plan must outlive the source.
-std::unique_ptr<LogSource> open_source(const SourcePlan& plan, std::uint64_t seed);
+// Records or reads it. The plan must outlive the source. Throws Interrupted where it is not to go
+// on.
+std::unique_ptr<LogSource> open_source(const SourcePlan& plan, std::uint64_t seed,
+                                       const GoesOn& goes_on = {});
 
 // Of settings without 'log'. Throws InputError.
 SimulationPlan simulation_plan(const Settings& settings);

@@ -40,14 +40,15 @@ Settings log_options_of(const Settings& settings) {
   return options;
 }
 
-RecordedLog read(const RecordedPlan& plan) {
+RecordedLog read(const RecordedPlan& plan, const GoesOn& goes_on = {}) {
   check_unchanged(plan.log);
-  return load_log(plan.log.path, plan.options);
+  return load_log(plan.log.path, plan.options, goes_on);
 }
 
 class RecordedSource : public LogSource {
  public:
-  explicit RecordedSource(const RecordedPlan& plan) : plan_(plan), log_(read(plan)) {}
+  RecordedSource(const RecordedPlan& plan, const GoesOn& goes_on)
+      : plan_(plan), log_(read(plan, goes_on)) {}
 
   double recorded_seconds() const override {
     return time_of(log_.measurements.back()) - time_of(log_.measurements.front());
@@ -132,8 +133,8 @@ SourcePlan plan_recorded(const Settings& settings, HashedFiles& files) {
   return plan;
 }
 
-std::unique_ptr<LogSource> open_recorded(const RecordedPlan& plan) {
-  return std::make_unique<RecordedSource>(plan);
+std::unique_ptr<LogSource> open_recorded(const RecordedPlan& plan, const GoesOn& goes_on) {
+  return std::make_unique<RecordedSource>(plan, goes_on);
 }
 
 bool tells_truth(const RecordedPlan& plan) {

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "bench/process/foreign_files.h"
 #include "bench/sources/files_record.h"
+#include "core/config/config_node.h"
 #include "core/config/yaml_scalar.h"
 #include "core/file/atomic_file.h"
 #include "core/file/text_file.h"
@@ -108,6 +110,36 @@ void write_relations(const std::string& path, const Trajectory& truth) {
   }
 }
 
+constexpr const char* kConfig = ".config.yaml";
+constexpr const char* kBeside[] = {kConfig, ".truth.gz", ".relations",
+                                   ".tum",  "_map.pgm",  "_map.yaml"};
+
+// The configuration first: it says whose the others are, also after a kill.
+void write_beside(const std::string& stem, const SimulationResult& result,
+                  const Trajectory& truth) {
+  write_text_file(stem + kConfig, fmt::format("seed: {}\n", result.seed) +
+                                      result.simulation.config +
+                                      files_yaml(result.simulation.files));
+  write_truth(stem + ".truth.gz", result.recording.truth);
+  write_relations(stem + ".relations", truth);
+  write_trajectory(stem + ".tum", truth);
+  write_true_map(stem, result.simulation);
+}
+
+// Whether that configuration is one that write_beside has written.
+bool is_of_simulation(const std::string& path) {
+  if (!std::filesystem::exists(path)) return false;
+  try {
+    const ConfigNode config = load_config(path);
+    for (const char* key : {"seed", "world", "robot", "path", "driver", "files"}) {
+      if (config.find(key) == nullptr) return false;
+    }
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 const SimulationParts::BuiltWorld& SimulationParts::world(const std::string& name,
@@ -171,14 +203,22 @@ PreparedSimulation prepare_simulation(const SimulationPlan& plan) {
   return prepare_simulation(plan, parts);
 }
 
-Recording record(const PreparedSimulation& prepared, std::uint64_t seed) {
+Recording record(const PreparedSimulation& prepared, std::uint64_t seed, const GoesOn& goes_on) {
   const Rng rng(seed);
   Simulation simulation(*prepared.world, prepared.robot, start_of(prepared.path),
                         prepared.simulation, rng);
   const std::unique_ptr<Driver> driver = prepared.make_driver(simulation, prepared.path);
   RecorderOptions options = prepared.recorder;
   options.longest = std::min(options.longest, driver->longest_time());
-  return record(simulation, *driver, options, rng);
+  Recording recording;
+  static_cast<TruthHeader&>(recording.truth) = simulation.truth_header();
+  RecordingSink sink = sink_into(recording);
+  sink.reading = [&goes_on, take = sink.reading](IdealReading reading) {
+    throw_unless(goes_on);
+    take(std::move(reading));
+  };
+  recording.is_complete = record(simulation, *driver, options, rng, sink);
+  return recording;
 }
 
 SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed) {
@@ -194,20 +234,27 @@ SimulationResult run_simulation(PreparedSimulation simulation, std::uint64_t see
 
 void write_simulation(const std::string& log_path, const SimulationResult& result) {
   const Trajectory truth = trajectory_of(result.recording.truth);
+  if (!is_special_file(log_path)) {  // else nothing stands beside it
+    // Behind a link, which stays.
+    if (std::filesystem::exists(log_path)) {
+      std::filesystem::remove(std::filesystem::canonical(log_path));
+    }
+    write_beside(stem_of(log_path), result, truth);
+  }
   RecordedLog log;
   log.format = "CARMEN";
   log.measurements = result.log;
   log.true_poses = truth;
   write_carmen_log(log_path, log);
-  if (is_special_file(log_path)) return;  // nothing stands beside a pipe
-  const std::string stem = stem_of(log_path);
-  write_truth(stem + ".truth.gz", result.recording.truth);
-  write_relations(stem + ".relations", truth);
-  write_trajectory(stem + ".tum", truth);
-  write_text_file(stem + ".config.yaml", fmt::format("seed: {}\n", result.seed) +
-                                             result.simulation.config +
-                                             files_yaml(result.simulation.files));
-  write_true_map(stem, result.simulation);
+}
+
+void refuse_foreign_simulation_files(const std::string& log_path) {
+  if (is_special_file(log_path)) return;
+  const std::filesystem::path stem = stem_of(log_path);
+  std::vector<std::string> coming;
+  for (const char* ending : kBeside) coming.push_back(stem.filename().string() + ending);
+  refuse_foreign(stem.parent_path().string(), coming,
+                 is_of_simulation(stem.string() + kConfig) ? coming : std::vector<std::string>{});
 }
 
 }  // namespace mapbed

@@ -7,6 +7,7 @@
 
 #include "core/config/configured.h"
 #include "core/config/settings.h"
+#include "core/interrupted.h"
 #include "core/log/sensor_log.h"
 #include "sim/drivers/drivers.h"
 #include "sim/recorder.h"
@@ -61,7 +62,9 @@ PreparedSimulation prepare_simulation(const SimulationPlan& plan);
 
 // `seed` is that of everything that is chance. For several threads at a time. The log is what the
 // prepared robot reads: with_noise(recording.readings, prepared.robot, Rng(seed)).
-Recording record(const PreparedSimulation& prepared, std::uint64_t seed);
+// Throws Interrupted where it is not to go on.
+Recording record(const PreparedSimulation& prepared, std::uint64_t seed,
+                 const GoesOn& goes_on = {});
 
 struct SimulationResult {
   PreparedSimulation simulation;
@@ -76,7 +79,11 @@ SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed);
 
 // Beside LOG = name.log[.gz]: name.truth.gz, name.relations (where the drive is long enough for
 // one), name.tum (true poses), name_map.pgm and .yaml (true map at the first laser's height),
-// name.config.yaml.
+// name.config.yaml. LOG comes last: while there is none, what stands beside belongs to nothing.
 void write_simulation(const std::string& log_path, const SimulationResult& result);
+
+// Throws InputError where one of those beside it would take the place of somebody else's file; LOG
+// itself is replaced whatever it is.
+void refuse_foreign_simulation_files(const std::string& log_path);
 
 }  // namespace mapbed

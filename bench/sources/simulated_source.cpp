@@ -12,9 +12,9 @@ namespace {
 
 class SimulatedSource : public LogSource {
  public:
-  SimulatedSource(const PreparedSimulation& simulation, std::uint64_t seed)
+  SimulatedSource(const PreparedSimulation& simulation, std::uint64_t seed, const GoesOn& goes_on)
       : simulation_(simulation),
-        recording_(record(simulation, seed)),
+        recording_(record(simulation, seed, goes_on)),
         truth_(trajectory_of(recording_.truth)) {}
 
   double recorded_seconds() const override {
@@ -72,9 +72,9 @@ SourcePlan plan_simulated(const Settings& settings, SimulationParts& parts) {
   return plan;
 }
 
-std::unique_ptr<LogSource> open_simulated(const PreparedSimulation& simulation,
-                                          std::uint64_t seed) {
-  return std::make_unique<SimulatedSource>(simulation, seed);
+std::unique_ptr<LogSource> open_simulated(const PreparedSimulation& simulation, std::uint64_t seed,
+                                          const GoesOn& goes_on) {
+  return std::make_unique<SimulatedSource>(simulation, seed, goes_on);
 }
 
 }  // namespace mapbed

@@ -12,7 +12,7 @@
 namespace mapbed {
 namespace {
 
-constexpr std::size_t kPiece = 1 << 20;          // [bytes]
+constexpr std::size_t kPiece = 1 << 18;          // [bytes]
 constexpr std::size_t kLongestLine = 16u << 20;  // [bytes]
 
 gzFile as_gz(void* file) {

@@ -138,12 +138,13 @@ std::string to_string(const LogWarning& warning) {
   return text;
 }
 
-RecordedLog load_log(const std::string& path, const LogOptions& options) {
+RecordedLog load_log(const std::string& path, const LogOptions& options, const GoesOn& goes_on) {
   refuse_bag_folder(path);
   LogParser parser(path, options);
   FileReader file(path);
   double total = 0.0;
   for (std::string_view piece = file.next(); !piece.empty(); piece = file.next()) {
+    throw_unless(goes_on);
     total += static_cast<double>(piece.size());
     if (total > options.max_text)
       throw InputError({path}, fmt::format("unpacks to more than {} MB", options.max_text / 1e6),

@@ -7,6 +7,7 @@
 
 #include "core/geometry/trajectory.h"
 #include "core/input_error.h"
+#include "core/interrupted.h"
 #include "core/log/log_options.h"
 #include "core/log/sensor_log.h"
 
@@ -41,7 +42,8 @@ struct RecordedLog {
 };
 
 // Throw InputError where nothing sensible can be read.
-RecordedLog load_log(const std::string& path, const LogOptions& options = {});
+RecordedLog load_log(const std::string& path, const LogOptions& options = {},
+                     const GoesOn& goes_on = {});
 RecordedLog parse_log(const std::string& name, std::string_view text,
                       const LogOptions& options = {});
 

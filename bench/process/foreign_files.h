@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mapbed {
+
+// What is written into a folder takes the place of what mapbed has written there before, and of
+// nothing else. Throws InputError, before the work, where one of `coming`, paths below the folder,
+// is there and not one of `ours`.
+void refuse_foreign(const std::string& folder, const std::vector<std::string>& coming,
+                    const std::vector<std::string>& ours);
+
+// The same of a file that is known to be somebody else's.
+[[noreturn]] void refuse_foreign(const std::string& path);
+
+}  // namespace mapbed
