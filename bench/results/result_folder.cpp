@@ -161,7 +161,9 @@ std::vector<std::string> paths_of_result(const std::string& folder) try {
   for (const ResultFile& file : files_of(Results{})) paths.push_back(file.path);
   append(plot_paths(load_plan((base / "config.yaml").string())), paths);
   const std::string list = (base / "files.csv").string();
-  for (const FileOfRun& file : parse_files(list, text_of(list))) paths.push_back(file.path);
+  if (const std::string csv = text_of(list); !csv.empty()) {  // none where the runs wrote nothing
+    for (const FileOfRun& file : parse_files(list, csv)) paths.push_back(file.path);
+  }
   return paths;
 } catch (const InputError&) {
   return {};

@@ -30,7 +30,7 @@ TEST(FileReader, HandsOverAllBytesInPiecesPlainOrPacked) {
     int pieces = 0;
     for (auto piece = file.next(); !piece.empty(); piece = file.next(), ++pieces) read += piece;
     EXPECT_TRUE(read == bytes) << name;
-    EXPECT_EQ(pieces, static_cast<int>((bytes.size() >> 20) + 1)) << name;
+    EXPECT_EQ(pieces, static_cast<int>((bytes.size() >> 18) + 1)) << name;
   }
 }
 
