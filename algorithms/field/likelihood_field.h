@@ -29,8 +29,7 @@ void visit_fields(LikelihoodFieldOptions& o, Visitor&& visit) {
         "fraction of beams that the map explains; the rest may end anywhere");
 }
 
-// Points of a scan in the robot frame, in cells of a field: what the inner loops of the matchers
-// read.
+// Points of a scan in the robot frame, in cells of a field: what the matchers' inner loops read.
 struct FieldPoints {
   std::vector<float> x;
   std::vector<float> y;

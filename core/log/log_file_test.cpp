@@ -8,7 +8,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/config/settings.h"
 #include "core/file/text_file.h"
 #include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
@@ -255,17 +254,6 @@ TEST(BadLog, OptionsThatMakeNoSenseAreRefused) {
             "log option robot_from_laser takes three numbers, x, y, theta, or none");
   EXPECT_EQ(message_of(good_lines(1), {.scan_period = 0.0}),
             "log option scan_period must be positive");
-}
-
-TEST(LogOptions, AreSetByName) {
-  LogOptions options;
-  apply({parse_setting("field_of_view=270 deg"), parse_setting("stamp=logger"),
-         parse_setting("robot_from_laser=[0.78, 0, 0]"), parse_setting("wheels.half_track=20 cm")},
-        options_of(options), "log");
-  EXPECT_NEAR(options.field_of_view, 1.5 * kPi, 1e-12);
-  EXPECT_EQ(options.stamp, Stamp::logger);
-  EXPECT_EQ(options.robot_from_laser, (std::vector<double>{0.78, 0, 0}));
-  EXPECT_EQ(options.wheels.half_track, 0.2);
 }
 
 // Files.
