@@ -2,7 +2,8 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
 
 #include <fcntl.h>
@@ -11,7 +12,6 @@
 
 #include "core/file/csv_file.h"
 #include "core/file/hash.h"
-#include "core/file/text_file.h"
 #include "core/file/tokens.h"
 #include "core/input_error.h"
 
@@ -68,8 +68,10 @@ std::string_view valid_line(std::string_view text, std::size_t begin) {
   return line == with_checksum(std::string(line.substr(kChecksum + 1))) ? line : std::string_view();
 }
 
+// As it stands on the disk: it is written on at its end, so no byte is skipped or unpacked.
 std::string text_of(const std::string& path) {
-  return std::filesystem::exists(path) ? read_text_file(path) : "";
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace

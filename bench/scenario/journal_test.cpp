@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include <gmock/gmock.h>
 
@@ -16,6 +17,11 @@ namespace {
 
 Journal::Entry entry(int run, double value) {
   return {{.run = run, .seed = 9, .values = {value}, .failure = "a, \"b\""}, {.run = run}};
+}
+
+std::string read_bytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 TEST(Journal, ATornLineDoesNotCountWhereverItWasCut) {
@@ -48,6 +54,28 @@ TEST(Journal, ALineOfSomethingElseDoesNotCountEvenWithTheRightChecksum) {
        {"x,9,,,,,,,,0.1\n", "-1,9,,,,,,,,0.1\n", "3,9,,,,,,,\n", "3,9,,,,,,,,0.1,0.2\n"}) {
     std::ofstream(path, std::ios::app) << sha256(line).substr(0, 16) + "," + line;
     EXPECT_TRUE(Journal(path, "identity", 1).found().empty()) << line;
+  }
+}
+
+// Lines are written behind those that are there: a byte that were skipped or unpacked in reading
+// would set all of them apart from what stands on the disk.
+TEST(Journal, ThatSomebodyPackedOrMarkedIsNone) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("journal"), packed = folder.file("journal.gz");
+  {
+    Journal journal(path, "identity", 1);
+    journal.append(entry(3, 0.1));
+  }
+  const std::string whole = read_text_file(path);
+  write_text_file(packed, whole);
+  for (const std::string& content : {"\xEF\xBB\xBF" + whole, read_bytes(packed)}) {
+    std::ofstream(path, std::ios::binary) << content;
+    {
+      Journal journal(path, "identity", 1);
+      EXPECT_TRUE(journal.found().empty());
+      journal.append(entry(7, 0.3));
+    }
+    EXPECT_EQ(Journal(path, "identity", 1).found().size(), 1u);
   }
 }
 
