@@ -31,7 +31,9 @@ TEST(Interrupt, IsHeededWhileARunReadsItsLog) {
       "printf 'about: two logs\nmetrics: [path_length]\nestimator: odometry\n"
       "compare: {a: {log: ./a.log}, b: {log: ./b.log.gz}}' > x.yaml\n"
       "$MAPBED run ./x.yaml -j 1 --out r & p=$!\n"
-      "until [ \"$(grep -c . r/runs/journal)\" = 2 ]; do sleep 0.005; done\n"
+      "for i in $(seq 2000); do\n"
+      "[ \"$(grep -c . r/runs/journal)\" = 2 ] && ls -l /proc/$p/fd | grep -q b.log && break\n"
+      "sleep 0.005; done\n"
       "kill -TERM $p; wait $p",
       folder.file("."));
   EXPECT_EQ(outcome.status, 3);

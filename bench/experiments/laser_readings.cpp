@@ -46,7 +46,7 @@ void visit_fields(LaserReadingsOptions& o, Visitor&& visit) {
         "between the beam and the normal of wall or pane");
   visit("gap", o.gap, Unit::meter, between(0.001, 1000.0), "from the target to the wall behind");
   visit("radius", o.radius, Unit::meter, between(0.001, 100.0), "of the leg");
-  visit("readings", o.readings, between(1000, 10'000'000), "that are drawn in a run");
+  visit("readings", o.readings, between(1000, 1'000'000), "that are drawn in a run");
 }
 
 LaserTarget target_of(const LaserReadingsOptions& o) {
