@@ -167,11 +167,14 @@ TEST_F(MapCommand, SaysBeforeTheWorkThatTheFolderWillNotDo) {
 
 TEST_F(MapCommand, ReplacesItsOwnFilesAndNoOthers) {
   const std::vector<std::string> map{"map", "room.log", "--method", "odometry", "--out", "m"};
+  EXPECT_EQ(call({"map", "room.log", "--method", "odometry", "--out", "all"}).status, 0);
   fs::create_directory(path("m"));
-  for (const char* name : {"m/map.png", "m/config.yaml", "m/summary.json"}) {
+  for (const auto& entry : fs::directory_iterator(path("all"))) {
+    const std::string name = "m/" + entry.path().filename().string();
     write(name, "{\"log\": \"my own\"}");
-    expect_refusal(map, name + std::string(": was not written by mapbed, and would be written "
-                                           "over; move it away, or choose another folder"));
+    expect_refusal(map, name +
+                            ": was not written by mapbed, and would be written over; move it "
+                            "away, or choose another folder");
     EXPECT_EQ(text(name), "{\"log\": \"my own\"}");
     fs::remove(path(name));
   }
