@@ -2,9 +2,9 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
+#include "algorithms/remark.h"
 #include "core/geometry/trajectory.h"
 #include "core/sensor/measurement.h"
 #include "core/time_interval.h"
@@ -21,7 +21,7 @@ struct Estimate {
   // Scans whose pose is the prediction alone: the match was not trustworthy.
   int untrusted_scans = 0;
   // What the user should know ("no odometry from 12.3 s to 22.4 s").
-  std::vector<std::string> remarks;
+  std::vector<Remark> remarks;
 };
 
 // How many possibilities a particle filter still holds, at one of its updates.

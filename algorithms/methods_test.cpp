@@ -4,6 +4,7 @@
 
 #include "algorithms/motion/motion_learning.h"
 #include "algorithms/rbpf/grid_slam.h"
+#include "algorithms/testing/remark_texts.h"
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
 #include "core/testing/is_near.h"
@@ -135,8 +136,9 @@ TEST_P(EveryMethod, LeavesATiltedLaserOutAndSaysSo) {
     }
   }
   expect_same_path(*both, *level);
-  EXPECT_THAT(both->estimate().remarks, Contains(HasSubstr("laser 1 is tilted by 10 degrees")));
-  EXPECT_THAT(level->estimate().remarks, Not(Contains(HasSubstr("laser"))));
+  EXPECT_THAT(texts_of(both->estimate().remarks),
+              Contains(HasSubstr("laser 1 is tilted by 10 degrees")));
+  EXPECT_THAT(texts_of(level->estimate().remarks), Not(Contains(HasSubstr("laser"))));
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,

@@ -28,16 +28,18 @@ double distance_in_time(const Trajectory& odometry, double time) {
 }
 
 // "no odometry from 12.3 s to 22.4 s", for every run of scans without a reading beside them.
-std::vector<std::string> remarks_on(const std::vector<double>& stamps, const Trajectory& odometry,
-                                    double longest_gap) {
+std::vector<Remark> remarks_on(const std::vector<double>& stamps, const Trajectory& odometry,
+                               double longest_gap) {
   const auto is_far = [&](double t) { return distance_in_time(odometry, t) > longest_gap; };
-  std::vector<std::string> remarks;
+  std::vector<Remark> remarks;
   for (auto from = stamps.begin();;) {
     from = std::find_if(from, stamps.end(), is_far);
     if (from == stamps.end()) return remarks;
     const auto end = std::find_if_not(from, stamps.end(), is_far);
-    remarks.push_back(fmt::format("no odometry beside {} scans from {:.3f} s to {:.3f} s",
-                                  end - from, *from, *(end - 1)));
+    remarks.push_back({RemarkKind::no_odometry,
+                       fmt::format("no odometry beside {} scans from {:.3f} s to {:.3f} s",
+                                   end - from, *from, *(end - 1)),
+                       TimeInterval{*from, *(end - 1)}});
     from = end;
   }
 }
@@ -64,7 +66,8 @@ Estimate OdometryEstimator::estimate() const {
   if (odometry_.empty()) {
     for (const double time : scan_stamps_) result.trajectory.push_back({time, start_});
     result.untrusted_scans = static_cast<int>(scan_stamps_.size());
-    result.remarks.emplace_back("no odometry at all: every pose is the first one");
+    result.remarks.push_back(
+        {RemarkKind::no_odometry, "no odometry at all: every pose is the first one"});
     return result;
   }
   const Pose2 map_from_odometry = start_ * inverse(held_at(odometry_, scan_stamps_.front()));
@@ -72,7 +75,7 @@ Estimate OdometryEstimator::estimate() const {
     result.trajectory.push_back({time, map_from_odometry * held_at(odometry_, time)});
     if (time < odometry_.front().time || time > odometry_.back().time) ++result.untrusted_scans;
   }
-  for (std::string& remark : remarks_on(scan_stamps_, odometry_, options_.longest_gap)) {
+  for (Remark& remark : remarks_on(scan_stamps_, odometry_, options_.longest_gap)) {
     result.remarks.push_back(std::move(remark));
   }
   return result;

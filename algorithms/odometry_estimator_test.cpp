@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "algorithms/testing/remark_texts.h"
 #include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
 
@@ -35,7 +36,7 @@ TEST(OdometryEstimator, StartsTheMapAtTheFirstScan) {
   EXPECT_THAT(estimate.trajectory[1].pose, IsNear(Pose2{2, 0, 0}, kRounding));
   EXPECT_THAT(estimator.pose(), IsNear(Pose2{2, 0, 0}, kRounding));
   EXPECT_EQ(estimate.untrusted_scans, 0);
-  EXPECT_THAT(estimate.remarks, IsEmpty());
+  EXPECT_THAT(texts_of(estimate.remarks), IsEmpty());
 }
 
 TEST(OdometryEstimator, InterpolatesBetweenTwoReadings) {
@@ -57,7 +58,8 @@ TEST(OdometryEstimator, StandsWhereThereIsNoReadingAndSaysSo) {
   const Estimate estimate = estimator.estimate();
   EXPECT_THAT(estimate.trajectory[2].pose, IsNear(Pose2{1, 0, 0}, kRounding));
   EXPECT_EQ(estimate.untrusted_scans, 2);
-  EXPECT_THAT(estimate.remarks, ElementsAre("no odometry beside 2 scans from 5.000 s to 6.000 s"));
+  EXPECT_THAT(texts_of(estimate.remarks),
+              ElementsAre("no odometry beside 2 scans from 5.000 s to 6.000 s"));
 }
 
 TEST(OdometryEstimator, TrustsNothingWithoutOdometry) {
@@ -67,7 +69,7 @@ TEST(OdometryEstimator, TrustsNothingWithoutOdometry) {
   estimator.add(scan(1.0));
   const Estimate estimate = estimator.estimate();
   EXPECT_EQ(estimate.untrusted_scans, 2);
-  EXPECT_THAT(estimate.remarks, ElementsAre(HasSubstr("no odometry at all")));
+  EXPECT_THAT(texts_of(estimate.remarks), ElementsAre(HasSubstr("no odometry at all")));
   EXPECT_EQ(estimator.pose(), Pose2{});
 }
 

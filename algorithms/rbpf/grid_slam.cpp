@@ -265,14 +265,15 @@ Estimate GridSlam::estimate() const {
   result.untrusted_scans = front_end_.untrusted_scans();
   result.lost = diagnostics_.lost();
   result.remarks = lasers_.remarks();
-  for (std::string& remark : diagnostics_.remarks()) result.remarks.push_back(std::move(remark));
+  for (Remark& remark : diagnostics_.remarks()) result.remarks.push_back(std::move(remark));
   const auto resamplings = std::count_if(updates_.begin(), updates_.end(),
                                          [](const Diversity& u) { return u.resampled; });
   result.remarks.push_back(
-      fmt::format("{} particles, {} updates, {} resamplings; today's particles descend from {} of "
-                  "the first tenth",
-                  particles_.size(), updates_.size(), resamplings,
-                  diversity_of(pasts(), updates_)[updates_.size() / 10].distinct_ancestors));
+      {RemarkKind::note,
+       fmt::format("{} particles, {} updates, {} resamplings; today's particles descend from {} of "
+                   "the first tenth",
+                   particles_.size(), updates_.size(), resamplings,
+                   diversity_of(pasts(), updates_)[updates_.size() / 10].distinct_ancestors)});
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "algorithms/rbpf/grid_slam.h"
 #include "algorithms/rbpf/testing/drives.h"
+#include "algorithms/testing/remark_texts.h"
 #include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
 
@@ -32,7 +33,8 @@ TEST(GridSlam, StaysFiniteWhenTheLaserSeesNothingAndSaysSo) {
   const Estimate estimate = slam.estimate();
   for (const Stamped<Pose2>& stamped : estimate.trajectory) EXPECT_TRUE(is_finite(stamped.pose));
   EXPECT_NEAR(estimate.trajectory.back().pose.x, 0.6 * 19, 2.0);  // where odometry has it
-  EXPECT_THAT(estimate.remarks, Contains(HasSubstr("the laser sees nothing from 0.0 s to 19.0 s")));
+  EXPECT_THAT(texts_of(estimate.remarks),
+              Contains(HasSubstr("the laser sees nothing from 0.0 s to 19.0 s")));
 }
 
 TEST(GridSlam, WorksWithoutOdometryAndSaysSo) {
@@ -41,8 +43,9 @@ TEST(GridSlam, WorksWithoutOdometryAndSaysSo) {
   options.particles = 20;
   const Estimate estimate = run(log, options);
   EXPECT_LT(error_at_end(log, estimate), 0.5);
-  EXPECT_THAT(estimate.remarks, Contains(AllOf(HasSubstr("no odometry from"),
-                                               HasSubstr("scans alone say how the robot moves"))));
+  EXPECT_THAT(texts_of(estimate.remarks),
+              Contains(AllOf(HasSubstr("no odometry from"),
+                             HasSubstr("scans alone say how the robot moves"))));
 }
 
 TEST(GridSlam, TheStandardFilterStandsStillWithoutOdometryAndSaysSo) {
@@ -58,7 +61,7 @@ TEST(GridSlam, TheStandardFilterStandsStillWithoutOdometryAndSaysSo) {
                                                         5 * errors.least_rotation_sigma}));
   }
   EXPECT_EQ(estimate.untrusted_scans, static_cast<int>(estimate.trajectory.size()) - 1);
-  EXPECT_THAT(estimate.remarks,
+  EXPECT_THAT(texts_of(estimate.remarks),
               Contains(AllOf(HasSubstr("no odometry from"), HasSubstr("taken as standing still"))));
 }
 
@@ -69,7 +72,7 @@ TEST(GridSlam, OutlivesAJumpOfOdometryAndSaysSo) {
   options.particles = 20;
   const Estimate estimate = run(log, options);
   EXPECT_LT(error_at_end(log, estimate), 0.5);
-  EXPECT_THAT(estimate.remarks, Contains(HasSubstr("odometry jumps from")));
+  EXPECT_THAT(texts_of(estimate.remarks), Contains(HasSubstr("odometry jumps from")));
 }
 
 TEST(GridSlam, OutlivesTenSecondsWithoutScansAndSaysSo) {
@@ -82,7 +85,7 @@ TEST(GridSlam, OutlivesTenSecondsWithoutScansAndSaysSo) {
   options.particles = 20;
   const Estimate estimate = run(log, options);
   EXPECT_LT(error_at_end(log, estimate), 0.5);
-  EXPECT_THAT(estimate.remarks, Contains(HasSubstr("no scan from")));
+  EXPECT_THAT(texts_of(estimate.remarks), Contains(HasSubstr("no scan from")));
 }
 
 // One scan every two seconds, and odometry misses the turn of 90 degrees at the first corner. The

@@ -5,6 +5,7 @@
 
 #include "algorithms/rbpf/grid_slam.h"
 #include "algorithms/rbpf/testing/drives.h"
+#include "algorithms/testing/remark_texts.h"
 
 namespace mapbed {
 namespace {
@@ -47,8 +48,8 @@ TEST_P(FindsItselfAgain, AfterItWasCarriedAcrossTheMap) {
   options.particles = 20;
   const Estimate estimate = run(carried.log, options);
   EXPECT_LT(error_at_end(carried.log, estimate), 0.1);
-  EXPECT_THAT(estimate.remarks, Contains(HasSubstr("found again at")));
-  EXPECT_THAT(estimate.remarks, Not(Contains(HasSubstr("is not known"))));
+  EXPECT_THAT(texts_of(estimate.remarks), Contains(HasSubstr("found again at")));
+  EXPECT_THAT(texts_of(estimate.remarks), Not(Contains(HasSubstr("is not known"))));
   // So is the whole path, but for the half metre after it, of which nobody can say on which side of
   // the carrying it lies: the next update is made then.
   const Pose2 first = carried.log.true_poses.front().pose;
@@ -75,8 +76,8 @@ TEST(GridSlam, DoesNotLeaveItsPlaceForOneThatLooksTheSame) {
   options.particles = 20;
   const Estimate estimate = run(log, options);
   EXPECT_LT(error_at_end(log, estimate), 0.5);
-  EXPECT_THAT(estimate.remarks, Contains(HasSubstr("odometry jumps")));
-  EXPECT_THAT(estimate.remarks, Not(Contains(HasSubstr("lost"))));
+  EXPECT_THAT(texts_of(estimate.remarks), Contains(HasSubstr("odometry jumps")));
+  EXPECT_THAT(texts_of(estimate.remarks), Not(Contains(HasSubstr("lost"))));
 }
 
 // Carried into another place while the wheels stand still: nothing of it is on the map.
@@ -96,12 +97,11 @@ TEST(GridSlam, SaysThatItIsLostWhereTheMapExplainsNothing) {
   options.particles = 20;
   GridSlam slam(options, Rng(1));
   for (const Measurement& measurement : log.measurements) slam.add(measurement);
-  for (const std::string& remark : slam.estimate().remarks)
-    EXPECT_THAT(remark, Not(HasSubstr("lost")));
+  EXPECT_THAT(texts_of(slam.estimate().remarks), Not(Contains(HasSubstr("lost"))));
   for (const Measurement& measurement : after.measurements) slam.add(measurement);
   const Estimate estimate = slam.estimate();
   for (const Stamped<Pose2>& stamped : estimate.trajectory) EXPECT_TRUE(is_finite(stamped.pose));
-  EXPECT_THAT(estimate.remarks, Contains(HasSubstr("lost from")));
+  EXPECT_THAT(texts_of(estimate.remarks), Contains(HasSubstr("lost from")));
 }
 
 TEST(GridSlam, IsLostWhereItWasCarriedIntoTheUnknown) {
@@ -113,8 +113,8 @@ TEST(GridSlam, IsLostWhereItWasCarriedIntoTheUnknown) {
   options.particles = 20;
   const Estimate estimate = run(carried.log, options);
   for (const Stamped<Pose2>& stamped : estimate.trajectory) EXPECT_TRUE(is_finite(stamped.pose));
-  EXPECT_THAT(estimate.remarks, Not(Contains(HasSubstr("found again"))));
-  EXPECT_THAT(estimate.remarks, Contains(HasSubstr("lost from")));
+  EXPECT_THAT(texts_of(estimate.remarks), Not(Contains(HasSubstr("found again"))));
+  EXPECT_THAT(texts_of(estimate.remarks), Contains(HasSubstr("lost from")));
 }
 
 }  // namespace

@@ -86,34 +86,40 @@ std::vector<TimeInterval> InputDiagnostics::lost() const {
   return lost_for_good().all();
 }
 
-std::vector<std::string> InputDiagnostics::remarks() const {
-  std::vector<std::string> result;
-  const auto tell = [&](const TimeIntervals& intervals, const std::string& what,
+std::vector<Remark> InputDiagnostics::remarks() const {
+  std::vector<Remark> result;
+  const auto tell = [&](RemarkKind kind, const TimeIntervals& intervals, const std::string& what,
                         const std::string& then) {
     const std::vector<TimeInterval>& all = intervals.all();
     for (std::size_t i = 0; i < std::min(kTold, all.size()); ++i) {
-      result.push_back(fmt::format("{} from {:.1f} s to {:.1f} s after the start{}", what,
-                                   all[i].from - start_, all[i].to - start_, then));
+      result.push_back({kind,
+                        fmt::format("{} from {:.1f} s to {:.1f} s after the start{}", what,
+                                    all[i].from - start_, all[i].to - start_, then),
+                        all[i]});
     }
-    if (all.size() > kTold) result.push_back(fmt::format("{}: {} times in all", what, all.size()));
+    if (all.size() <= kTold) return;
+    result.push_back({kind, fmt::format("{}: {} times in all", what, all.size()),
+                      TimeInterval{all[kTold].from, all.back().to}});
   };
-  tell(no_odometry_, "no odometry",
+  tell(RemarkKind::no_odometry, no_odometry_, "no odometry",
        scans_are_matched_ ? ": scans alone say how the robot moves"
                           : ": taken as standing still, as scans are not matched with proposal "
                             "'odometry'");
-  tell(jumps_, "odometry jumps",
+  tell(RemarkKind::odometry_jump, jumps_, "odometry jumps",
        fmt::format(" (by up to {:.1f} m): taken as standing still", largest_jump_));
-  tell(pauses_, "no scan", "");
-  tell(blind_, "the laser sees nothing", ": odometry alone says where the robot is");
-  tell(neither_, "neither odometry nor anything that the laser sees",
+  tell(RemarkKind::no_scan, pauses_, "no scan", "");
+  tell(RemarkKind::blind_laser, blind_, "the laser sees nothing",
+       ": odometry alone says where the robot is");
+  tell(RemarkKind::unknown_motion, neither_, "neither odometry nor anything that the laser sees",
        ": how the robot moved is not known");
   for (const Relocalized& found : relocalized_) {
-    result.push_back(
-        fmt::format("lost at {:.1f} s, found again at {:.1f} s after the start, by its "
-                    "map of before",
-                    found.since - start_, found.time - start_));
+    result.push_back({RemarkKind::relocalized,
+                      fmt::format("lost at {:.1f} s, found again at {:.1f} s after the start, by "
+                                  "its map of before",
+                                  found.since - start_, found.time - start_),
+                      TimeInterval{found.since, found.time}});
   }
-  tell(lost_for_good(), "lost",
+  tell(RemarkKind::lost, lost_for_good(), "lost",
        ": the map explains too little of the scans; where what was mapped before and after lies to "
        "each other is not known");
   return result;

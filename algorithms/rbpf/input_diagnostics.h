@@ -2,9 +2,9 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "algorithms/remark.h"
 #include "core/config/option.h"
 #include "core/sensor/odometry.h"
 #include "core/time_interval.h"
@@ -69,8 +69,8 @@ class InputDiagnostics {
   // Where the map of before `since` shows the robot at `time`.
   void relocalized(double since, double time) { relocalized_.push_back({since, time}); }
 
-  std::vector<TimeInterval> lost() const;    // and not found again
-  std::vector<std::string> remarks() const;  // times from the first measurement on
+  std::vector<TimeInterval> lost() const;  // and not found again
+  std::vector<Remark> remarks() const;     // their words tell times from the first measurement on
 
  private:
   TimeIntervals lost_for_good() const;  // the robot was not found again

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "algorithms/testing/remark_texts.h"
 #include "core/testing/is_near.h"
 
 namespace mapbed {
@@ -21,7 +22,7 @@ TEST(InputDiagnostics, SayNothingWhereAllIsWell) {
     diagnostics.scan(odometry.time, Pose2{0.5, 0.0, 0.0}, true);
     diagnostics.update(odometry.time, 0.8);
   }
-  EXPECT_THAT(diagnostics.remarks(), IsEmpty());
+  EXPECT_THAT(texts_of(diagnostics.remarks()), IsEmpty());
 }
 
 TEST(InputDiagnostics, AJumpOfOdometryIsTakenOutAndTold) {
@@ -36,7 +37,7 @@ TEST(InputDiagnostics, AJumpOfOdometryIsTakenOutAndTold) {
   }
   // The step with the jump counts as standing still.
   EXPECT_THAT(passed, IsNear(Pose2{8 * 0.05, 0.0, 0.0}, Tolerance{1e-9, 1e-9}));
-  EXPECT_THAT(diagnostics.remarks(),
+  EXPECT_THAT(texts_of(diagnostics.remarks()),
               ElementsAre("odometry jumps from 0.5 s to 0.5 s after the start (by up to 7.0 m): "
                           "taken as standing still"));
 }
@@ -68,7 +69,7 @@ TEST(InputDiagnostics, TheFirstScanHasNoStepAndMissesNone) {
   InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
   diagnostics.scan(0.0, {}, true);
   diagnostics.scan(1.0, Pose2{}, true);
-  EXPECT_THAT(diagnostics.remarks(), IsEmpty());
+  EXPECT_THAT(texts_of(diagnostics.remarks()), IsEmpty());
 }
 
 TEST(InputDiagnostics, TellWhenOdometryWasMissing) {
@@ -77,7 +78,7 @@ TEST(InputDiagnostics, TellWhenOdometryWasMissing) {
     const bool missing = i >= 3 && i <= 6;
     diagnostics.scan(5.0 + i, missing ? std::optional<Pose2>{} : Pose2{}, true);
   }
-  EXPECT_THAT(diagnostics.remarks(),
+  EXPECT_THAT(texts_of(diagnostics.remarks()),
               ElementsAre(HasSubstr("no odometry from 3.0 s to 6.0 s after the start")));
 }
 
@@ -85,9 +86,9 @@ TEST(InputDiagnostics, TellOfAPauseInWhichTheRobotWentOnAndOfNoOther) {
   InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
   diagnostics.scan(0.0, Pose2{}, true);
   diagnostics.scan(12.0, Pose2{0.2, 0.0, 0.0}, true);  // stood
-  EXPECT_THAT(diagnostics.remarks(), IsEmpty());
+  EXPECT_THAT(texts_of(diagnostics.remarks()), IsEmpty());
   diagnostics.scan(24.0, Pose2{6.0, 0.0, 0.0}, true);
-  EXPECT_THAT(diagnostics.remarks(),
+  EXPECT_THAT(texts_of(diagnostics.remarks()),
               ElementsAre(HasSubstr("no scan from 12.0 s to 24.0 s after the start")));
 }
 
@@ -96,20 +97,22 @@ TEST(InputDiagnostics, TellOfAPauseInWhichTheRobotTurned) {
     InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
     diagnostics.scan(0.0, Pose2{}, true);
     diagnostics.scan(12.0, Pose2{0.0, 0.0, turn}, true);
-    EXPECT_THAT(diagnostics.remarks(), ElementsAre(HasSubstr("no scan from 0.0 s to 12.0 s")));
+    EXPECT_THAT(texts_of(diagnostics.remarks()),
+                ElementsAre(HasSubstr("no scan from 0.0 s to 12.0 s")));
   }
 }
 
 TEST(InputDiagnostics, TellOfALaserThatSeesNothing) {
   InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
   for (int i = 0; i < 4; ++i) diagnostics.scan(i, Pose2{}, i == 0);
-  EXPECT_THAT(diagnostics.remarks(), ElementsAre(HasSubstr("sees nothing from 1.0 s to 3.0 s")));
+  EXPECT_THAT(texts_of(diagnostics.remarks()),
+              ElementsAre(HasSubstr("sees nothing from 1.0 s to 3.0 s")));
 }
 
 TEST(InputDiagnostics, TellOfALaserThatSeesNothingWhereOdometryIsMissingToo) {
   InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
   for (int i = 0; i < 4; ++i) diagnostics.scan(i, {}, i == 0);
-  EXPECT_THAT(diagnostics.remarks(),
+  EXPECT_THAT(texts_of(diagnostics.remarks()),
               ElementsAre(HasSubstr("neither odometry nor anything that the laser sees from 1.0 s "
                                     "to 3.0 s after the start: how the robot moved is not known")));
 }
@@ -121,14 +124,28 @@ TEST(InputDiagnostics, ARobotIsLostWhereTheMapExplainsNextToNothing) {
     diagnostics.scan(i, Pose2{}, true);
     diagnostics.update(i, inlier_ratio[i]);
   }
-  EXPECT_THAT(diagnostics.remarks(), ElementsAre(HasSubstr("lost from 2.0 s to 3.0 s")));
+  EXPECT_THAT(texts_of(diagnostics.remarks()), ElementsAre(HasSubstr("lost from 2.0 s to 3.0 s")));
+}
+
+TEST(InputDiagnostics, RemarksHaveTheirKindAndTheStampsOfTheLog) {
+  InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
+  for (int i = 0; i < 10; ++i) {
+    diagnostics.without_jumps({.time = 100.0 + i, .odometry_from_robot = {i < 4 ? 0.0 : 50.0}});
+    diagnostics.scan(100.0 + i, Pose2{}, i != 7);
+  }
+  const std::vector<Remark> remarks = diagnostics.remarks();
+  ASSERT_EQ(remarks.size(), 2U);
+  EXPECT_EQ(remarks[0].kind, RemarkKind::odometry_jump);
+  EXPECT_EQ(remarks[0].when, (TimeInterval{104.0, 104.0}));
+  EXPECT_EQ(remarks[1].kind, RemarkKind::blind_laser);
+  EXPECT_EQ(remarks[1].when, (TimeInterval{107.0, 107.0}));
 }
 
 TEST(InputDiagnostics, ManyOfOneKindAreSummedUp) {
   InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
   for (int i = 0; i < 20; ++i) diagnostics.scan(i, Pose2{}, i % 2 == 0);
   EXPECT_EQ(diagnostics.remarks().size(), 4U);
-  EXPECT_THAT(diagnostics.remarks().back(), HasSubstr("10 times in all"));
+  EXPECT_THAT(diagnostics.remarks().back().text, HasSubstr("10 times in all"));
 }
 
 }  // namespace

@@ -15,12 +15,14 @@ bool LevelLasers::take(const LaserScan& scan) {
   return false;
 }
 
-std::vector<std::string> LevelLasers::remarks() const {
-  std::vector<std::string> result;
+std::vector<Remark> LevelLasers::remarks() const {
+  std::vector<Remark> result;
   for (const auto& [laser, tilt] : left_out_) {
-    result.push_back(fmt::format(
-        "laser {} is tilted by {:.4g} degrees: left out, as this method works in the plane", laser,
-        degrees(tilt)));
+    result.push_back(
+        {RemarkKind::tilted_laser,
+         fmt::format(
+             "laser {} is tilted by {:.4g} degrees: left out, as this method works in the plane",
+             laser, degrees(tilt))});
   }
   return result;
 }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <map>
-#include <string>
 #include <vector>
 
+#include "algorithms/remark.h"
 #include "core/sensor/laser_scan.h"
 
 namespace mapbed {
@@ -16,7 +16,7 @@ class LevelLasers {
   bool take(const LaserScan& scan);
 
   // One for each laser that was left out.
-  std::vector<std::string> remarks() const;
+  std::vector<Remark> remarks() const;
 
  private:
   std::map<int, double> left_out_;  // by laser: the angle between its plane and the floor [rad]

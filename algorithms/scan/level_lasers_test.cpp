@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "algorithms/testing/remark_texts.h"
 #include "core/geometry/angle.h"
 
 namespace mapbed {
@@ -20,7 +21,7 @@ TEST(LevelLasers, TakeAllScansOfLevelLasers) {
   LevelLasers lasers;
   EXPECT_TRUE(lasers.take(scan_of_laser(0, 0.0)));
   EXPECT_TRUE(lasers.take(scan_of_laser(1, 0.0)));
-  EXPECT_THAT(lasers.remarks(), IsEmpty());
+  EXPECT_THAT(texts_of(lasers.remarks()), IsEmpty());
 }
 
 TEST(LevelLasers, LeaveATiltedOneOutAndSaySoOnce) {
@@ -29,8 +30,9 @@ TEST(LevelLasers, LeaveATiltedOneOutAndSaySoOnce) {
     EXPECT_FALSE(lasers.take(scan_of_laser(1, radians(10.0))));
     EXPECT_FALSE(lasers.take(scan_of_laser(2, 0.0, radians(-90.0))));
   }
-  EXPECT_THAT(lasers.remarks(), ElementsAre(HasSubstr("laser 1 is tilted by 10 degrees: left out"),
-                                            HasSubstr("laser 2 is tilted by 90 degrees")));
+  EXPECT_THAT(texts_of(lasers.remarks()),
+              ElementsAre(HasSubstr("laser 1 is tilted by 10 degrees: left out"),
+                          HasSubstr("laser 2 is tilted by 90 degrees")));
 }
 
 }  // namespace

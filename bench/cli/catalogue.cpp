@@ -3,6 +3,7 @@
 #include "algorithms/grid/map_builder.h"
 #include "algorithms/methods.h"
 #include "bench/experiments/experiment.h"
+#include "bench/faults/faults.h"
 #include "bench/scenario/scenario.h"
 #include "core/config/config_node.h"
 #include "core/config/quantity.h"
@@ -125,6 +126,16 @@ std::string text_of(const Experiment& experiment) {
   return text + "options:\n" + experiment.configure({}).complete_yaml;
 }
 
+std::vector<CatalogueEntry> fault_entries() {
+  std::vector<CatalogueEntry> entries;
+  for (const Fault& fault : faults()) {
+    entries.push_back({fault.name, fault.about, [&fault] {
+                         return dotted("faults." + fault.name, fault.configure({}).complete_yaml);
+                       }});
+  }
+  return entries;
+}
+
 std::vector<CatalogueEntry> experiment_entries() {
   std::vector<CatalogueEntry> entries;
   for (const Experiment& experiment : experiments()) {
@@ -158,6 +169,7 @@ const std::vector<CatalogueShelf>& catalogue() {
       {"drivers", "driver", driver_entries},
       {"methods", "method", method_entries},
       {"logs", "log", log_entries},
+      {"faults", "fault", fault_entries},
       {"settings", "setting", setting_entries},
   };
   return shelves;

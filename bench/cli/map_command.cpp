@@ -125,8 +125,8 @@ void print_log(const std::string& path, const RecordedLog& log, double seconds) 
 }
 
 void print_result(const MapRun& run, const std::string& folder, double total) {
-  for (const std::string& remark : run.estimate.remarks) {
-    fmt::print(stderr, "remark: {}\n", remark);
+  for (const Remark& remark : run.estimate.remarks) {
+    fmt::print(stderr, "remark: {}\n", remark.text);
   }
   const CellBox box = known_box(run.map);
   fmt::print("{}: {} poses, {:.1f} m of path, {} of them by prediction alone\n", run.config.method,

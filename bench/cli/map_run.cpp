@@ -72,11 +72,12 @@ std::string summary_json(const std::string& log_name, const RecordedLog& log, co
       {"resolution_m", run.map.resolution()},
       {"map_width_m", box.empty() ? 0.0 : box.width() * run.map.resolution()},
       {"map_height_m", box.empty() ? 0.0 : box.height() * run.map.resolution()},
-      {"remarks", run.estimate.remarks},
+      {"remarks", nlohmann::ordered_json::array()},
       {"warnings", nlohmann::ordered_json::array()},
       {"mapbed", version().program},
       {"revision", version().revision},
   };
+  for (const Remark& remark : run.estimate.remarks) json["remarks"].push_back(remark.text);
   for (const LogWarning& warning : log.warnings) json["warnings"].push_back(to_string(warning));
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -117,8 +117,8 @@ Command simulate_command() {
                       {"--seed", &a->seed, "of everything that is chance"},
                       {"--variant", &a->variant, "which of those that the scenario compares"},
                       {"--set", &a->settings,
-                       "any option: world.…, robot.…, simulation.…, driver.…, recorder.…=value; of "
-                       "a scenario that sweeps one, its value"},
+                       "any option: world.…, robot.…, simulation.…, driver.…, recorder.…, "
+                       "faults.…=value; of a scenario that sweeps one, its value"},
                       {.name = "-o,--out",
                        .target = &a->log,
                        .help = "the CARMEN log to write; .gz: compressed",

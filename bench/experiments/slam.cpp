@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include "algorithms/methods.h"
+#include "bench/experiments/chosen_method.h"
 #include "bench/experiments/particle_figures.h"
 #include "bench/experiments/slam_evaluator.h"
 #include "bench/experiments/slam_series.h"
 #include "bench/plot/map_picture.h"
 #include "bench/process/process_cost.h"
 #include "bench/results/replay.h"
-#include "core/config/suggestion.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
 #include "sim/recording.h"
@@ -43,47 +42,16 @@ struct Setup {
   ConfiguredMethod method;
 };
 
-// As method_by_name, but tells where the name stands.
-void check_method(const std::string& name, const Settings& settings) {
-  std::vector<std::string> names;
-  for (const Method& method : methods()) names.push_back(method.name);
-  if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  SourceLocation place;
-  for (const Setting& setting : settings) {
-    if (setting.path == "estimator") place = setting.place;
-  }
-  throw InputError(place, "unknown method " + in_quotes(name), suggestion(name, names));
-}
-
-// Settings of methods stand under the method's name; those of other methods are checked as well.
 Setup setup_of(const Settings& settings) {
+  const MethodSettings divided = divided_by_method(settings);
   Setup setup;
-  Settings own;
-  std::vector<std::pair<std::string, Settings>> by_method;
-  for (const Method& method : methods()) by_method.emplace_back(method.name, Settings{});
-  for (Setting setting : settings) {
-    const auto method = std::find_if(by_method.begin(), by_method.end(), [&](const auto& m) {
-      return setting.path.starts_with(m.first + ".");
-    });
-    if (method == by_method.end()) {
-      own.push_back(setting);
-    } else {
-      setting.path.erase(0, method->first.size() + 1);
-      method->second.push_back(setting);
-    }
-  }
-  apply(own, options_of(setup.options), "slam");
-  check_method(setup.options.estimator, own);
-  for (const auto& [name, of_method] : by_method) {
-    ConfiguredMethod method = method_by_name(name).configure(of_method);
-    if (name == setup.options.estimator) setup.method = std::move(method);
-  }
+  apply(divided.own, options_of(setup.options), "slam");
+  setup.method = chosen_method(setup.options.estimator, divided);
   return setup;
 }
 
 std::string complete_yaml(Setup& setup) {
-  return to_yaml(options_of(setup.options)) + setup.options.estimator + ":\n" +
-         indented(setup.method.complete_yaml, 2);
+  return to_yaml(options_of(setup.options)) + method_yaml(setup.options.estimator, setup.method);
 }
 
 ResultFile picture_file(const RunInput& input, SlamEvaluator& evaluator) {

@@ -136,13 +136,19 @@ std::string svg_text(double x, double y, const std::string& text, const SvgTextS
                      style.more.empty() ? "" : " ", style.more, xml_escaped(text));
 }
 
+std::string head_of(const FrameText& text, double& below) {
+  below = 4.0;
+  std::string head = paragraph(text.title, 14.5, "font-weight=\"bold\"", below);
+  head += paragraph(text.subtitle, kSmall, "fill=\"#444\"", below);
+  head += legend_at(text.legend, below);
+  return head;
+}
+
 PlotFrame frame_of(const FrameText& text, const Axis& x, const Axis& y, const Scale& x_scale,
                    const Scale& y_scale) {
   PlotFrame frame;
-  double below = 4.0;
-  frame.head = paragraph(text.title, 14.5, "font-weight=\"bold\"", below);
-  frame.head += paragraph(text.subtitle, kSmall, "fill=\"#444\"", below);
-  frame.head += legend_at(text.legend, below);
+  double below = 0.0;
+  frame.head = head_of(text, below);
 
   PlotArea& area = frame.area;
   area.x = x_scale;

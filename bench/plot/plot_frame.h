@@ -50,6 +50,9 @@ struct PlotFrame {
 PlotFrame frame_of(const FrameText& text, const Axis& x, const Axis& y, const Scale& x_scale,
                    const Scale& y_scale);
 
+// Titles and legend alone, from the top; `below` is where they end [px].
+std::string head_of(const FrameText& text, double& below);
+
 struct SvgTextStyle {
   double size = kTextSize;
   std::string anchor = "start";  // or middle, end

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "bench/results/figure_parts.h"
 #include "bench/results/result_folder.h"
@@ -54,6 +56,58 @@ std::size_t rank_of(const Results& results, int level, int axis,
   const double number = results.axes[static_cast<std::size_t>(axis)].numbers[choice];
   return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), number) -
                                   sorted.begin());
+}
+
+// Where a matrix has what.
+struct MatrixPlaces {
+  std::vector<std::string> rows;
+  std::vector<Matrix::Column> columns;
+  std::map<std::pair<int, int>, std::size_t> cell_of;  // by level and variant
+};
+
+// Rows and columns of what is shown, in the order of the scenario; x may be no axis.
+MatrixPlaces matrix_places(const Results& results, const PlotSpec& spec, int x, int y) {
+  const auto text_at = [&](int axis, int level) -> std::string {
+    if (axis < 0) return {};
+    const auto index = static_cast<std::size_t>(axis);
+    const int choice = results.levels[static_cast<std::size_t>(level)].choice[index];
+    return results.axes[index].texts[static_cast<std::size_t>(choice)];
+  };
+  std::vector<std::pair<int, int>> shown;
+  for (int level = 0; level < static_cast<int>(results.levels.size()); ++level) {
+    for (int variant = 0; variant < static_cast<int>(results.variants.size()); ++variant) {
+      if (is_shown(results, spec, level, variant)) shown.emplace_back(level, variant);
+    }
+  }
+  MatrixPlaces places;
+  const auto row_of = [&](int level) {
+    return std::find(places.rows.begin(), places.rows.end(), text_at(y, level));
+  };
+  const auto column_of = [&](int level, int variant) {
+    const std::string& name = results.variants[static_cast<std::size_t>(variant)];
+    return std::find_if(places.columns.begin(), places.columns.end(), [&](const auto& column) {
+      return column.group == text_at(x, level) && column.name == name;
+    });
+  };
+  for (const auto& [level, variant] : shown) {
+    if (row_of(level) == places.rows.end()) places.rows.push_back(text_at(y, level));
+    if (column_of(level, variant) != places.columns.end()) continue;
+    places.columns.push_back(
+        {text_at(x, level), results.variants[static_cast<std::size_t>(variant)]});
+  }
+  std::stable_sort(places.columns.begin(), places.columns.end(), [&](const auto& a, const auto& b) {
+    if (x < 0) return false;
+    const auto& order = results.axes[static_cast<std::size_t>(x)].texts;
+    return std::find(order.begin(), order.end(), a.group) <
+           std::find(order.begin(), order.end(), b.group);
+  });
+  for (const auto& [level, variant] : shown) {
+    const auto row = static_cast<std::size_t>(row_of(level) - places.rows.begin());
+    const auto column =
+        static_cast<std::size_t>(column_of(level, variant) - places.columns.begin());
+    places.cell_of[{level, variant}] = row * places.columns.size() + column;
+  }
+  return places;
 }
 
 void add_means(const Results& results, const PlotSpec& spec, int metric, int x_axis, Plot& plot) {
@@ -166,6 +220,43 @@ HeatMap heat_map_of(const Results& results, const PlotSpec& spec) {
   return map;
 }
 
+Matrix matrix_of(const Results& results, const PlotSpec& spec) {
+  const int metric = metric_index(results, spec.value);
+  const int mark = metric_index(results, spec.mark);
+  const int x = axis_index(results, spec.x);
+  const int y = axis_index(results, spec.y);
+  CHECK(metric >= 0 && y >= 0);
+  const Unit unit = results.metrics[static_cast<std::size_t>(metric)].unit;
+  Matrix matrix{.title = spec.title, .rows_label = words_of(spec.y)};
+  matrix.value = metric_axis(spec.value, unit, spec.value_label, spec.log_value);
+  if (!spec.value_range.empty()) {
+    const auto end = [&](std::size_t i) {
+      return displayed(parse_quantity(spec.value_range[i], unit, spec.place), unit);
+    };
+    matrix.value.low = end(0);
+    matrix.value.high = end(1);
+  }
+  if (mark >= 0) matrix.mark_label = words_of(spec.mark);
+  const MatrixPlaces places = matrix_places(results, spec, x, y);
+  matrix.rows = places.rows;
+  matrix.columns = places.columns;
+  const std::size_t cells = matrix.rows.size() * matrix.columns.size();
+  matrix.values.assign(cells, std::numeric_limits<double>::quiet_NaN());
+  if (mark >= 0) matrix.marks.assign(cells, 0.0);
+  ShownRuns counted;
+  for (const SummaryRow& row : results.summary) {
+    if (!is_shown(results, spec, row.level, row.variant) || row.runs == 0) continue;
+    const auto place = places.cell_of.find({row.level, row.variant});
+    if (place == places.cell_of.end()) continue;
+    if (row.metric == mark) matrix.marks[place->second] = row.mean;
+    if (row.metric != metric) continue;
+    matrix.values[place->second] = displayed(row.mean, unit);
+    counted.add(row);
+  }
+  matrix.subtitle = subtitle_of(spec, counted.runs_each("mean of {} runs each"), counted);
+  return matrix;
+}
+
 std::vector<ResultFile> figure_files(const Results& results) {
   std::vector<ResultFile> files;
   const auto add = [&](const PlotSpec& spec, const auto& picture) {
@@ -173,6 +264,11 @@ std::vector<ResultFile> figure_files(const Results& results) {
     files.push_back({"figures/" + spec.file + ".csv", csv_of(picture)});
   };
   for (const PlotSpec& spec : results.plots) {
+    if (spec.kind == PlotKind::matrix) {
+      const Matrix matrix = matrix_of(results, spec);
+      if (!matrix.values.empty()) add(spec, matrix);
+      continue;
+    }
     if (spec.kind != PlotKind::heat_map) {
       add(spec, figure_of(results, spec));
       continue;

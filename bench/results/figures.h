@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bench/plot/heat_map.h"
+#include "bench/plot/matrix.h"
 #include "bench/plot/plot.h"
 #include "bench/results/result_file.h"
 #include "bench/results/results.h"
@@ -17,6 +18,7 @@ Plot figure_of(const Results& results, const PlotSpec& spec);
 
 // The same of a plot of that kind: means as colours.
 HeatMap heat_map_of(const Results& results, const PlotSpec& spec);
+Matrix matrix_of(const Results& results, const PlotSpec& spec);
 
 // Each of Results::plots as figures/<file>.svg with its numbers as <file>.csv; no heat map of a
 // reduced run that has fewer than two levels along one side.

@@ -133,6 +133,58 @@ TEST(Figures, AHeatMapHasTheMeansInTheOrderOfItsSides) {
   EXPECT_EQ(map.subtitle, "mean of 3 runs each; 1 of 12 runs failed");
 }
 
+// Two logs, broken in two ways, by two methods; the second method was not run on the second log.
+TEST(Figures, AMatrixHasRowsOfOneAxisAndColumnsOfTheOtherWithTheVariants) {
+  Results results;
+  results.axes = {{"log", {"near", "far"}, {}, ""}, {"fault", {"none", "stall"}, {}, ""}};
+  results.levels = levels_of(results.axes);
+  results.variants = {"a", "b"};
+  results.metrics = {{"error", Unit::meter, ""}, {"told", Unit::none, ""}};
+  for (int level = 0; level < 4; ++level) {
+    for (int variant = 0; variant < 2; ++variant) {
+      results.summary.push_back(row(level, variant, 10.0 * level + variant));
+      results.summary.push_back(row(level, variant, level == 1 && variant == 0 ? 1.0 : 0.0));
+      results.summary.back().metric = 1;
+    }
+  }
+  for (SummaryRow& of : results.summary) {
+    if (of.level >= 2 && of.variant == 1) of.runs = 0;
+  }
+  const PlotSpec spec{.kind = PlotKind::matrix,
+                      .x = "log",
+                      .y = "fault",
+                      .value = "error",
+                      .mark = "told",
+                      .value_range = {"1 cm", "10 m"},
+                      .log_value = true};
+  const Matrix matrix = matrix_of(results, spec);
+  EXPECT_THAT(matrix.rows, ElementsAre("none", "stall"));
+  std::string columns;
+  for (const Matrix::Column& column : matrix.columns) columns += column.group + column.name + " ";
+  EXPECT_EQ(columns, "neara nearb fara farb ");
+  // Levels: near none, near stall, far none, far stall.
+  EXPECT_THAT(matrix.values, ElementsAre(0.0, 1.0, 20.0, ::testing::IsNan(),  //
+                                         10.0, 11.0, 30.0, ::testing::IsNan()));
+  EXPECT_THAT(matrix.marks, ElementsAre(0, 0, 0, 0, 1, 0, 0, 0));
+  EXPECT_EQ(matrix.value.low, 0.01);
+  EXPECT_EQ(matrix.value.high, 10.0);
+  EXPECT_TRUE(matrix.value.logarithmic);
+  EXPECT_EQ(title_of(matrix.value), "error [m]");
+}
+
+TEST(Figures, AMatrixOfOneAxisHasTheVariantsAsColumns) {
+  const Matrix matrix = matrix_of(sweep(), {.kind = PlotKind::matrix,
+                                            .y = "odometry.sigma",
+                                            .value = "heading_error",
+                                            .variants = {"on"}});
+  EXPECT_THAT(matrix.rows, ElementsAre("0 deg", "2 deg"));
+  ASSERT_EQ(matrix.columns.size(), 1u);
+  EXPECT_EQ(matrix.columns[0].name, "on");
+  const double degrees = 180.0 / std::numbers::pi;
+  EXPECT_THAT(matrix.values, ElementsAre(0.5 * degrees, degrees));
+  EXPECT_THAT(matrix.marks, IsEmpty());
+}
+
 TEST(Figures, OnlyTheLevelsAskedFor) {
   const Plot plot =
       figure_of(sweep(), {.y = "heading_error", .at = {{"odometry.sigma", {"2 deg"}}}});

@@ -79,7 +79,8 @@ std::string design_yaml(const Results& plan) {
   text += fmt::format("seed: {}\nseeds: {}\n", plan.seed, plan.seeds);
   text += plan.axes.empty() ? "sweep: {}\n" : "sweep:\n";
   for (const SweepAxis& axis : plan.axes) {
-    text += "  " + yaml_scalar(axis.path) + ": " + flow_list(axis.texts) + "\n";
+    const std::string values = axis.sets.empty() ? flow_list(axis.texts) : names_text(axis);
+    text += "  " + yaml_scalar(axis.path) + ": " + values + "\n";
   }
   text += "variants: " + flow_list(plan.variants) + "\n";
   text += block("metrics", plan.metrics, "metrics: []\n", metric_text);
@@ -104,8 +105,10 @@ Results plan_in(const ConfigNode& config) {
   read_words(scenario, plan);
   if (const ConfigNode* sweep = scenario.find("sweep")) {
     for (const std::string& path : sweep->keys()) {
-      plan.axes.push_back(axis_of(path, sweep->at(path).texts()));
-      plan.axes.back().place = sweep->at(path).place();
+      const ConfigNode& values = sweep->at(path);
+      const bool has_names = values.kind() == ConfigNode::Kind::map;
+      plan.axes.push_back(has_names ? named_axis_of(path, values) : axis_of(path, values.texts()));
+      plan.axes.back().place = values.place();
     }
   }
   plan.levels = levels_of(plan.axes);

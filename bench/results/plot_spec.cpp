@@ -12,7 +12,7 @@
 namespace mapbed {
 namespace {
 
-const std::vector<std::string> kKinds{"lines", "bars", "points", "heat_map", "series"};
+const std::vector<std::string> kKinds{"lines", "bars", "points", "heat_map", "series", "matrix"};
 
 using Names = std::vector<std::string>;
 
@@ -81,6 +81,28 @@ void check_heat_map(const PlotSpec& plot, const Results& plan) {
   }
 }
 
+void check_matrix(const PlotSpec& plot, const Results& plan) {
+  for (const std::string& path : {plot.x, plot.y}) {
+    check_name(plot, path, axes_of(plan), "not swept here");
+  }
+  for (const std::string& metric : {plot.value, plot.mark}) {
+    check_name(plot, metric, metrics_of(plan), "not measured here");
+  }
+  const Unit unit = plan.metrics[static_cast<std::size_t>(metric_index(plan, plot.value))].unit;
+  for (const std::string& end : plot.value_range) (void)parse_quantity(end, unit, plot.place);
+  if (plot.value_range.size() != 0 && plot.value_range.size() != 2) {
+    throw InputError(plot.place, "the value_range of '" + plot.file + "' has no two ends",
+                     "write e.g. 'value_range: [1, 100]'");
+  }
+  const auto fixed = std::count_if(plot.at.begin(), plot.at.end(),
+                                   [](const auto& at) { return at.second.size() == 1; });
+  const std::ptrdiff_t open = static_cast<std::ptrdiff_t>(plan.axes.size()) - fixed;
+  if (plot.x == plot.y || open > (plot.x.empty() ? 1 : 2)) {
+    throw InputError(plot.place, "the matrix '" + plot.file + "' has no one value for each place",
+                     "it shows all axes that are swept, along y and x, but for those with 'at'");
+  }
+}
+
 void check_references(const PlotSpec& plot, Unit unit) {
   for (const PlotReference& reference : plot.references) {
     (void)parse_quantity(reference.value, unit, plot.place);
@@ -102,6 +124,12 @@ void read(const ConfigNode& node, const char* key, std::string& text) {
   if (const ConfigNode* found = node.find(key)) text = found->text();
 }
 
+void read_matrix(const ConfigNode& node, PlotSpec& plot) {
+  read(node, "mark", plot.mark);
+  if (const ConfigNode* range = node.find("value_range")) plot.value_range = range->texts();
+  if (const ConfigNode* log_value = node.find("log_value")) plot.log_value = log_value->flag();
+}
+
 // What is shown of what, and the file that it is called by.
 void read_data(const ConfigNode& node, PlotSpec& plot) {
   read(node, "x", plot.x);
@@ -109,13 +137,13 @@ void read_data(const ConfigNode& node, PlotSpec& plot) {
   if (const ConfigNode* kind = node.find("kind")) {
     plot.kind = static_cast<PlotKind>(kind->choice(kKinds));
   }
+  const bool is_matrix = plot.kind == PlotKind::matrix;
   const bool is_heat_map = plot.kind == PlotKind::heat_map;
-  if (is_heat_map) {
-    plot.x = node.at("x").text();
-    plot.value = node.at("value").text();
-  }
+  if (is_heat_map) plot.x = node.at("x").text();
+  if (is_heat_map || is_matrix) plot.value = node.at("value").text();
+  if (is_matrix) read_matrix(node, plot);
   plot.y = node.at("y").text();
-  plot.file = is_heat_map ? plot.value : plot.y;
+  plot.file = is_heat_map || is_matrix ? plot.value : plot.y;
   read(node, "file", plot.file);
   read(node, "lines_by", plot.lines_by);
   if (plot.file.empty() || plot.file.find_first_of("/\\ ") != std::string::npos) {
@@ -172,6 +200,9 @@ std::string plot_text(const PlotSpec& plot) {
                    {"x", flow_scalar(plot.x)},
                    {"y", flow_scalar(plot.y)},
                    {"value", flow_scalar(plot.value)},
+                   {"mark", flow_scalar(plot.mark)},
+                   {"value_range", plot.value_range.empty() ? "" : flow_list(plot.value_range)},
+                   {"log_value", plot.log_value ? "true" : ""},
                    {"lines_by", flow_scalar(plot.lines_by)},
                    {"variants", plot.variants.empty() ? "" : flow_list(plot.variants)},
                    {"at", at.empty() ? "" : flow_map(at)},
@@ -192,6 +223,10 @@ void check_plot(const PlotSpec& plot, const Results& plan) {
   check_levels(plot, plan);
   if (plot.kind == PlotKind::heat_map) {
     check_heat_map(plot, plan);
+    return;
+  }
+  if (plot.kind == PlotKind::matrix) {
+    check_matrix(plot, plan);
     return;
   }
   if (plot.kind == PlotKind::series) {

@@ -12,8 +12,8 @@ namespace mapbed {
 struct Results;
 
 // What a plot shows: means of a metric as lines or bars, its single runs as points, means as
-// colours, or a series over its iterations or time.
-enum class PlotKind : int { lines, bars, points, heat_map, series };
+// colours, over two axes of numbers or of names, or a series over its iterations or time.
+enum class PlotKind : int { lines, bars, points, heat_map, series, matrix };
 
 // A value from elsewhere that a plot is to be seen against.
 struct PlotReference {
@@ -28,18 +28,24 @@ struct PlotReference {
 //   {y: failures}                                   the variants side by side
 //   {kind: points, x: path_length, y: failures}     a mark for each run
 //   {kind: heat_map, x: hits, y: misses, value: occupancy, variants: [counting]}
+//   {kind: matrix, y: fault, x: log, value: error_ratio, log_value: true, mark: told}
 //   {kind: series, y: residual, log_y: true}        over the iterations of the series
 //   {y: failures, at: {people: 10}}                 these levels alone; also {people: [5, 10]}
 //
 // x is an axis or, of points, a metric; y a metric, of a heat map an axis, or a series; lines_by a
-// second axis. Also: x_label, y_label, value_label, log_x, thesis.
+// second axis. A matrix has a row for each value of the axis y and a column for each variant, or
+// for each variant at each value of the axis x; a dot where the metric `mark` is above 0.5; colours
+// end at `value_range: [1, 100]`. Also: x_label, y_label, value_label, log_x, thesis.
 struct PlotSpec {
   std::string file;  // figures/<file>.svg
   std::string title;
   PlotKind kind = PlotKind::lines;
-  std::string x;         // path of an axis, or a metric; empty: the variants side by side
-  std::string y;         // a metric; of a heat map the path of an axis; of a series its name
-  std::string value;     // of a heat map: the metric that the colours show
+  std::string x;          // path of an axis, or a metric; empty: the variants side by side
+  std::string y;          // a metric; of a heat map the path of an axis; of a series its name
+  std::string value;      // of a heat map or matrix: the metric that the colours show
+  std::string mark = {};  // of a matrix: the metric of the dots; or empty
+  std::vector<std::string> value_range = {};  // of a matrix: two numbers with unit, or none
+  bool log_value = false;                     // of a matrix
   std::string lines_by;  // path of a second axis, a line for each of its values; or empty
   std::vector<std::string> variants;  // empty: all
   // Path of an axis and the values of it that are shown, as written; others are shown whole.

@@ -26,6 +26,8 @@ TEST(PlotSpec, IsWrittenAsItIsRead) {
                            "{x: hits, y: distance, title: 'a, b: c', references: {'of 2009': 2 m}}",
                            "{kind: heat_map, x: hits, y: misses, value: distance, file: map}",
                            "{y: distance, at: {hits: 1, world: [a, b]}}",
+                           "{kind: matrix, y: fault, value: distance, mark: told, log_value: true, "
+                           "value_range: [1 m, 2 m]}",
                            "{kind: series, y: residual, log_y: true, at: {hits: 1}}"}) {
     const std::string text = plot_text(read(yaml));
     EXPECT_EQ(plot_text(read(text)), text);
@@ -77,6 +79,22 @@ TEST(PlotSpec, OfAHeatMapHasTwoAxesOfNumbersAndOneVariant) {
   EXPECT_INPUT_ERROR(check(head + "y: misses}", plan), "it shows one variant");
   EXPECT_INPUT_ERROR(check(head + "y: hits, variants: [odds]}", plan), "over two axes");
   EXPECT_INPUT_ERROR(read("{kind: heat_map, x: hits, y: misses}"), "value");
+}
+
+TEST(PlotSpec, OfAMatrixHasOneValueForEachRowAndColumn) {
+  Results plan = cells();
+  plan.metrics.push_back({"told", Unit::none, ""});
+  const auto check = [&](const std::string& more) {
+    check_plot(read("{kind: matrix, value: distance, y: world" + more + "}"), plan);
+  };
+  check(", x: hits, mark: told, value_range: [1 cm, 10 m]");
+  check(", at: {hits: 1}");
+  EXPECT_INPUT_ERROR(check(""), "has no one value for each place");
+  EXPECT_INPUT_ERROR(check(", x: world"), "has no one value for each place");
+  EXPECT_INPUT_ERROR(check(", x: hits, mark: tolled"), "did you mean 'told'?");
+  EXPECT_INPUT_ERROR(check(", x: hits, value_range: [1 cm]"), "has no two ends");
+  EXPECT_INPUT_ERROR(check(", x: hits, value_range: [1 s, 2 s]"), "is not a length");
+  EXPECT_INPUT_ERROR(read("{kind: matrix, y: world}"), "value");
 }
 
 TEST(PlotSpec, OfASeriesKnowsWhatItGoesOver) {

@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "bench/results/flow_text.h"
+#include "core/config/config_node.h"
+#include "core/config/suggestion.h"
 #include "core/file/parse_number.h"
-#include "core/input_error.h"
 
 namespace mapbed {
 namespace {
@@ -34,6 +36,49 @@ SweepAxis axis_of(const std::string& path, std::vector<std::string> texts) {
     axis.numbers.push_back(number);
   }
   return axis;
+}
+
+SweepAxis named_axis_of(const std::string& path, const ConfigNode& names) {
+  SweepAxis axis{.path = path, .place = names.place()};
+  for (const std::string& name : names.keys()) {
+    axis.texts.push_back(name);
+    axis.sets.push_back(settings_of(names.at(name)));
+  }
+  return axis;
+}
+
+std::string names_text(const SweepAxis& axis) {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (std::size_t i = 0; i < axis.texts.size(); ++i) {
+    std::vector<std::pair<std::string, std::string>> set;
+    for (const Setting& setting : axis.sets[i]) {
+      set.emplace_back(flow_scalar(setting.path), flow_scalar(setting.text));
+    }
+    names.emplace_back(flow_scalar(axis.texts[i]), set.empty() ? "{}" : flow_map(set));
+  }
+  return flow_map(names);
+}
+
+SweepAxis with_values(const SweepAxis& axis, const std::vector<std::string>& texts,
+                      const SourceLocation& place) {
+  SweepAxis result = axis.sets.empty() ? axis_of(axis.path, texts) : SweepAxis{axis.path, texts};
+  result.place = place;
+  if (axis.sets.empty()) return result;
+  for (const std::string& text : texts) {
+    const auto found = std::find(axis.texts.begin(), axis.texts.end(), text);
+    if (found == axis.texts.end()) {
+      throw InputError(place, in_quotes(text) + " is no value of the sweep of '" + axis.path + "'",
+                       suggestion(text, axis.texts));
+    }
+    result.sets.push_back(axis.sets[static_cast<std::size_t>(found - axis.texts.begin())]);
+  }
+  return result;
+}
+
+Settings settings_at(const SweepAxis& axis, int choice) {
+  const auto index = static_cast<std::size_t>(choice);
+  if (!axis.sets.empty()) return axis.sets[index];
+  return {{axis.path, axis.texts[index], axis.place}};
 }
 
 std::vector<Level> levels_of(const std::vector<SweepAxis>& axes) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/config/config_node.h"
 #include "core/testing/throws_input_error.h"
 
 namespace mapbed {
@@ -31,6 +32,43 @@ TEST(Sweep, LevelsCountTheLastAxisFastest) {
 TEST(Sweep, RefusesMoreLevelsThanAnybodyCanRun) {
   const std::vector<SweepAxis> axes(20, axis_of("a", {"1", "2", "3"}));  // 3^20
   EXPECT_INPUT_ERROR(levels_of(axes), "the sweep has 3.49e+09 levels, of 1e+06 at most");
+}
+
+SweepAxis places() {
+  return named_axis_of("place", parse_config("hall: {world: museum}\n"
+                                             "maze: {world: office, crowd: {people: 3}}\n"
+                                             "nothing: {}\n",
+                                             {"x.yaml", 7}));
+}
+
+TEST(Sweep, NamesStandForSeveralSettings) {
+  const SweepAxis axis = places();
+  EXPECT_THAT(axis.texts, ElementsAre("hall", "maze", "nothing"));
+  EXPECT_THAT(axis.numbers, IsEmpty());
+  const Settings maze = settings_at(axis, 1);
+  ASSERT_EQ(maze.size(), 2u);
+  EXPECT_EQ(maze[1].path, "crowd.people");
+  EXPECT_EQ(maze[1].text, "3");
+  EXPECT_THAT(settings_at(axis, 2), IsEmpty());
+  const Settings value = settings_at(axis_of("x", {"2 cm", "5 cm"}), 1);
+  ASSERT_EQ(value.size(), 1u);
+  EXPECT_EQ(value[0].path, "x");
+  EXPECT_EQ(value[0].text, "5 cm");
+}
+
+TEST(Sweep, NamesAreWrittenAsTheyAreRead) {
+  const std::string text = names_text(places());
+  EXPECT_EQ(text, "{hall: {world: museum}, maze: {world: office, crowd.people: 3}, nothing: {}}");
+  EXPECT_EQ(names_text(named_axis_of("place", parse_config(text, {"x.yaml", 1}))), text);
+}
+
+TEST(Sweep, SomeOfTheValuesKeepWhatTheyStandFor) {
+  const SweepAxis some = with_values(places(), {"nothing", "maze"}, {"--set", 0});
+  EXPECT_THAT(some.texts, ElementsAre("nothing", "maze"));
+  EXPECT_EQ(settings_at(some, 1)[0].text, "office");
+  EXPECT_INPUT_ERROR(with_values(places(), {"haul"}, {"--set", 0}),
+                     "'haul' is no value of the sweep of 'place'; did you mean 'hall'?");
+  EXPECT_THAT(with_values(axis_of("x", {"2 cm"}), {"7 cm"}, {}).numbers, ElementsAre(7.0));
 }
 
 TEST(Sweep, APathIsReadAsWords) {

@@ -50,9 +50,10 @@ Scenario scenario_in(const ConfigNode& config) {
   for (const Metric& metric : plan.metrics) scenario.metrics.push_back(metric.name);
   for (const SeriesMetric& series : plan.series_metrics) scenario.metrics.push_back(series.name);
   for (const std::string& name : config.at("compare").keys()) {
-    scenario.variants.push_back({.name = name,
-                                 .settings = settings_of(config.at("compare").at(name)),
-                                 .complete = complete_settings(config.at("runs").at(name))});
+    scenario.variants.push_back(
+        with_own_seeds({.name = name,
+                        .settings = settings_of(config.at("compare").at(name)),
+                        .complete = complete_settings(config.at("runs").at(name))}));
   }
   return scenario;
 }

@@ -36,6 +36,7 @@ std::string given_text(const Scenario& scenario) {
   std::string variants;
   for (const Variant& variant : scenario.variants) {
     Settings settings = variant.settings;
+    if (variant.seeds) settings.push_back({"seeds", std::to_string(*variant.seeds), {}});
     settings.insert(settings.end(), scenario.overrides.begin(), scenario.overrides.end());
     variants += group(variant.name, settings_text(settings));
   }

@@ -3,6 +3,8 @@
 #include <map>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "bench/results/plan_yaml.h"
 #include "bench/scenario/plan.h"
 #include "bench/sources/files_record.h"
@@ -35,6 +37,9 @@ std::string identity_of(const ScenarioPlan& plan) {
     hash.add(runs.experiment.complete_yaml);
   }
   hash.add(files_yaml(input_files(plan)));
+  for (const Variant& variant : plan.scenario.variants) {
+    if (variant.seeds) hash.add(fmt::format("{} seeds of {}\n", *variant.seeds, variant.name));
+  }
   return hash.digits();
 }
 

@@ -10,6 +10,7 @@
 #include "algorithms/grid/map_builder.h"
 #include "algorithms/methods.h"
 #include "bench/experiments/experiment.h"
+#include "bench/faults/faults.h"
 #include "core/config/config_node.h"
 #include "core/log/log_options.h"
 #include "robots/robot.h"
@@ -53,6 +54,7 @@ std::vector<Configurable> everything() {
   append_table(all, experiments());
   append_table(all, world_kinds());
   append_table(all, driver_kinds());
+  append_table(all, faults());
   for (const std::string& robot : robot_names()) append_struct(all, robot, load_robot(robot));
   append_struct(all, "log", LogOptions{});
   append_struct(all, "simulation", SimulationOptions{});

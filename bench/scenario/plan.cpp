@@ -86,7 +86,9 @@ std::vector<std::string> skipped_in(const ScenarioPlan& plan) {
   std::map<std::string, int> runs_by_reason;
   for (const PlannedRuns& planned : plan.planned) {
     const std::string missing = planned.missing();
-    if (!missing.empty()) runs_by_reason[missing] += plan.scenario.seeds;
+    const auto variant = (&planned - plan.planned.data()) %
+                         static_cast<std::ptrdiff_t>(plan.scenario.variants.size());
+    if (!missing.empty()) runs_by_reason[missing] += plan.seeds_of(static_cast<int>(variant));
   }
   std::vector<std::string> lines;
   for (const auto& [reason, runs] : runs_by_reason) {
@@ -168,9 +170,17 @@ int ScenarioPlan::runs() const {
 std::vector<int> ScenarioPlan::runs_to_do() const {
   std::vector<int> numbers;
   for (int run = 0; run < runs(); ++run) {
-    if (planned_of(row(run)).missing().empty()) numbers.push_back(run);
+    const RunRow of = row(run);
+    const auto seeds = static_cast<std::uint64_t>(seeds_of(of.variant));
+    if (of.seed - scenario.seed >= seeds) continue;
+    if (planned_of(of).missing().empty()) numbers.push_back(run);
   }
   return numbers;
+}
+
+int ScenarioPlan::seeds_of(int variant) const {
+  const Variant& of = scenario.variants[static_cast<std::size_t>(variant)];
+  return std::min(scenario.seeds, of.seeds.value_or(scenario.seeds));
 }
 
 RunRow ScenarioPlan::row(int run) const {

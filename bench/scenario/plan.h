@@ -43,10 +43,12 @@ struct ScenarioPlan {
   Results results;                   // all but the rows; with its complete config.yaml
   std::vector<PlannedRuns> planned;  // by level and variant, the last one fastest
 
-  int runs() const;                     // with those that are skipped because their log is not here
+  // With those that are not done: because their log is not here, or their variant has fewer seeds.
+  int runs() const;
   std::vector<int> runs_to_do() const;  // numbers of the others
   RunRow row(int run) const;            // number, level, variant and seed
   const PlannedRuns& planned_of(const RunRow& row) const;
+  int seeds_of(int variant) const;
 };
 
 // All below throw InputError with place, reason and remedy.

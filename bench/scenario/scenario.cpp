@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -24,6 +25,7 @@ constexpr Bounds kSeeds = between(1, 100'000);
 struct QuickRules {
   int seeds = 1;
   int levels = 2;  // of each axis, spread evenly from the first to the last
+  std::map<std::string, int> levels_of_axes;  // the same of those by these paths
   Settings settings;
   std::optional<bool> judges;  // nothing: with as many seeds and no other settings
 };
@@ -37,7 +39,19 @@ const std::vector<std::string> kKeys{"about",   "thesis", "base", "experiment", 
                                      "compare", "seeds",  "seed", "metrics",    "plots",
                                      "claims",  "quick",  "set",  "files"};
 
+void check_has_values(const std::string& path, const std::vector<std::string>& texts,
+                      const ConfigNode& node) {
+  if (!texts.empty()) return;
+  throw InputError(node.place(), "the sweep of '" + path + "' has no values",
+                   "give one or more, or leave the sweep out");
+}
+
 SweepAxis swept_axis(const std::string& path, const ConfigNode& node) {
+  if (node.kind() == ConfigNode::Kind::map) {
+    SweepAxis axis = named_axis_of(path, node);
+    check_has_values(path, axis.texts, node);
+    return axis;
+  }
   std::vector<std::string> texts;
   for (const ConfigNode& item : node.items()) {
     const bool is_value = item.kind() == ConfigNode::Kind::value;
@@ -51,10 +65,7 @@ SweepAxis swept_axis(const std::string& path, const ConfigNode& node) {
     }
     texts.push_back(text);
   }
-  if (texts.empty()) {
-    throw InputError(node.place(), "the sweep of '" + path + "' has no values",
-                     "give one or more, or leave the sweep out");
-  }
+  check_has_values(path, texts, node);
   SweepAxis axis = axis_of(path, std::move(texts));
   axis.place = node.place();
   return axis;
@@ -63,7 +74,7 @@ SweepAxis swept_axis(const std::string& path, const ConfigNode& node) {
 std::vector<Variant> variants_of(const ConfigNode& node) {
   std::vector<Variant> variants;
   for (const std::string& name : node.keys()) {
-    variants.push_back({name, settings_of(node.at(name))});
+    variants.push_back(with_own_seeds({name, settings_of(node.at(name))}));
   }
   if (variants.empty()) {
     throw InputError(node.place(), "nothing to compare", "give one or more variants");
@@ -77,7 +88,14 @@ QuickRules quick_rules_of(const ConfigNode& node) {
     rules.seeds = seeds->whole_number(kSeeds);
   }
   if (const ConfigNode* levels = node.find("levels")) {
-    rules.levels = levels->whole_number(between(1, 1000));
+    const Bounds some = between(1, 1000);
+    if (levels->kind() == ConfigNode::Kind::map) {
+      for (const std::string& path : levels->keys()) {
+        rules.levels_of_axes[path] = levels->at(path).whole_number(some);
+      }
+    } else {
+      rules.levels = levels->whole_number(some);
+    }
   }
   if (const ConfigNode* set = node.find("set")) rules.settings = settings_of(*set);
   if (const ConfigNode* judges = node.find("judges")) rules.judges = judges->flag();
@@ -173,9 +191,10 @@ void make_quick(Reading& reading) {
   scenario.judges = reading.quick.judges.value_or(all_there);
   scenario.seeds = std::min(scenario.seeds, reading.quick.seeds);
   for (SweepAxis& axis : scenario.axes) {
-    const SourceLocation place = axis.place;
-    axis = axis_of(axis.path, evenly_chosen(axis.texts, reading.quick.levels));
-    axis.place = place;
+    const auto own = reading.quick.levels_of_axes.find(axis.path);
+    const bool has_own = own != reading.quick.levels_of_axes.end();
+    const int levels = has_own ? own->second : reading.quick.levels;
+    axis = with_values(axis, evenly_chosen(axis.texts, levels), axis.place);
   }
   append(scenario.settings, reading.quick.settings);
 }
@@ -187,9 +206,10 @@ void apply_choice(const ScenarioChoice& choice, Scenario& scenario) {
                                    [&](const SweepAxis& a) { return a.path == setting.path; });
     if (axis != scenario.axes.end()) {
       const ConfigNode node = parse_config(setting.text, setting.place);
-      *axis = node.kind() == ConfigNode::Kind::list ? swept_axis(setting.path, node)
-                                                    : axis_of(setting.path, {setting.text});
-      axis->place = setting.place;
+      const bool is_list = node.kind() == ConfigNode::Kind::list;
+      const SweepAxis given =
+          is_list ? swept_axis(setting.path, node) : axis_of(setting.path, {setting.text});
+      *axis = with_values(*axis, given.texts, setting.place);
     } else if (setting.path == "seeds") {
       scenario.seeds = ConfigNode(setting.text, setting.place).whole_number(kSeeds);
     } else if (setting.path == "experiment") {
@@ -213,9 +233,17 @@ bool is_choice_of_part(const std::string& path) {
   return std::find(kParts.begin(), kParts.end(), name) != kParts.end();
 }
 
+bool chooses_parts(const SweepAxis& axis) {
+  if (axis.sets.empty()) return is_choice_of_part(axis.path);
+  return std::any_of(axis.sets.begin(), axis.sets.end(), [](const Settings& set) {
+    return std::any_of(set.begin(), set.end(),
+                       [](const Setting& setting) { return is_choice_of_part(setting.path); });
+  });
+}
+
 bool chooses_parts(const Scenario& scenario) {
   return std::any_of(scenario.axes.begin(), scenario.axes.end(),
-                     [](const SweepAxis& axis) { return is_choice_of_part(axis.path); }) ||
+                     [](const SweepAxis& axis) { return chooses_parts(axis); }) ||
          std::any_of(scenario.overrides.begin(), scenario.overrides.end(),
                      [](const Setting& setting) { return is_choice_of_part(setting.path); });
 }
@@ -234,6 +262,15 @@ Scenario load_scenario(const std::string& name_or_path, const ScenarioChoice& ch
   return std::move(reading.scenario);
 }
 
+Variant with_own_seeds(Variant variant) {
+  for (const Setting& setting : variant.settings) {
+    if (setting.path != "seeds") continue;
+    variant.seeds = ConfigNode(setting.text, setting.place).whole_number(kSeeds);
+  }
+  std::erase_if(variant.settings, [](const Setting& s) { return s.path == "seeds"; });
+  return variant;
+}
+
 std::vector<std::string> scenario_names() {
   return data_names("scenarios");
 }
@@ -244,9 +281,7 @@ Settings settings_of(const Scenario& scenario, const Level& level, const Variant
   append(settings, variant.settings);
   append(settings, scenario.overrides);
   for (std::size_t i = 0; i < scenario.axes.size(); ++i) {
-    const SweepAxis& axis = scenario.axes[i];
-    settings.push_back(
-        {axis.path, axis.texts[static_cast<std::size_t>(level.choice[i])], axis.place});
+    append(settings, settings_at(scenario.axes[i], level.choice[i]));
   }
   return settings;
 }

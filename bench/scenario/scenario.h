@@ -23,20 +23,24 @@ namespace mapbed {
 //   driver: scripted                      # 'mapbed list drivers'; the first one where left out
 //   sweep:
 //     robot.odometry.rotation_sigma: [0 deg, 1 deg, 2 deg]
+//     place: {hall: {world: museum}, maze: {world: office, people: 3}}   # several options, by
+//     names
 //   compare:
-//     raw: {estimator: odometry}
-//     matched: {estimator: scan_matching}
+//     raw: {estimator: odometry, seeds: 1}   # fewer than the others, where chance has no part in
+//     it matched: {estimator: scan_matching}
 //   seeds: 50                             # 50 runs of each, with the seeds seed, seed + 1, …
 //   metrics: [translation_error, failures]
 //   plots:
 //     - {file: error, x: robot.odometry.rotation_sigma, y: translation_error}
 //   claims:
 //     - {metric: failures, of: matched, at_most: raw, at: every level}
-//   quick: {seeds: 2, levels: 2}          # what --quick makes less of; `set` for more. With fewer
-//                                         # seeds or a `set`, claims are judged if it says `judges`
+//   quick: {seeds: 2, levels: 2}          # what --quick makes less of; `set` for more, levels of
+//                                         # each axis by {path: count}. With fewer seeds or a
+//                                         # `set`, claims are judged if it says `judges`
 //
 // Every other key is an option of the simulation (world.…, robot.…, simulation.…, driver.…,
-// recorder.…), of how a log is read (log.…) or of the experiment, nested or as a dotted path. An
+// recorder.…), of how a log is read (log.…), a fault that is put into it (faults.…, faults.h) or of
+// the experiment, nested or as a dotted path. An
 // experiment that needs a further log, say one called mapping, has what differs in that log under
 // its name, `mapping: {path: tour, people: 0}`; all else is as in the scenario's own.
 //
@@ -46,8 +50,12 @@ namespace mapbed {
 struct Variant {
   std::string name;
   Settings settings = {};
-  Settings complete = {};  // that hold instead of the defaults; of a config.yaml only
+  Settings complete = {};         // that hold instead of the defaults; of a config.yaml only
+  std::optional<int> seeds = {};  // fewer than the scenario's, for what chance has no part in
 };
+
+// Takes its 'seeds' out of a variant's settings. Throws InputError.
+Variant with_own_seeds(Variant variant);
 
 struct Scenario {
   std::string id;    // the file's name without .yaml

@@ -30,7 +30,13 @@ std::vector<Variant> chosen_variants(const Scenario& scenario, const std::string
   }
   for (std::size_t i = 0; i < scenario.axes.size(); ++i) {
     const SweepAxis& axis = scenario.axes[i];
-    const bool is_of_log = !divided({{axis.path, "", {}}}).source.empty();
+    const auto is_of_log_at = [&axis](int choice) {
+      return !divided(settings_at(axis, choice)).source.empty();
+    };
+    bool is_of_log = false;
+    for (std::size_t k = 0; k < axis.texts.size(); ++k) {
+      is_of_log = is_of_log || is_of_log_at(static_cast<int>(k));
+    }
     if (!is_of_log || axis.texts.size() == 1) continue;
     const std::string& value = axis.texts[static_cast<std::size_t>(level.choice[i])];
     throw InputError({scenario.path}, "it sweeps '" + axis.path + "', so it has several logs",

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "bench/scenario/identity.h"
 #include "bench/scenario/plan.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
@@ -61,6 +62,59 @@ TEST_F(ScenarioFile, AQuickRunJudgesWithAsManySeedsAndNoOtherSettingsOrWhereItSa
   EXPECT_TRUE(judges("quick: {seeds: 5, set: {odds.p_occ: 0.7}, judges: true}\n"));
   EXPECT_FALSE(judges("quick: {seeds: 5, judges: false}\n"));
   EXPECT_TRUE(plan(kCells).results.judges);
+}
+
+constexpr const char* kNamed =
+    "experiment: odds_vs_counting\n"
+    "sweep: {look: {never: {hits: 0}, often: {hits: 70, misses: 30}, once: {hits: 1}}}\n"
+    "compare: {a: {model: counting}, b: {model: odds}}\n"
+    "metrics: [occupancy]\n";
+
+TEST_F(ScenarioFile, SweepsSeveralOptionsTogetherByNames) {
+  const ScenarioPlan plan = this->plan(kNamed);
+  ASSERT_EQ(plan.planned.size(), 6u);
+  EXPECT_EQ(level_text(plan.results, 1), "look = often");
+  const std::string& often = plan.planned[2].experiment.complete_yaml;
+  EXPECT_THAT(often, ::testing::HasSubstr("hits: 70"));
+  EXPECT_THAT(often, ::testing::HasSubstr("misses: 30"));
+  EXPECT_EQ(this->plan(kNamed, {.settings = {parse_setting("look=[once, never]")}}).runs(), 4);
+  EXPECT_INPUT_ERROR(this->plan(kNamed, {.settings = {parse_setting("look=oftn")}}),
+                     "did you mean 'often'?");
+}
+
+TEST_F(ScenarioFile, OfNamesRunsAgainFromItsConfiguration) {
+  const ScenarioPlan plan = this->plan(kNamed);
+  const ScenarioPlan again = make_plan(load_scenario(write("y.yaml", plan.results.config_yaml)));
+  EXPECT_EQ(again.runs(), plan.runs());
+  EXPECT_EQ(again.planned[2].experiment.complete_yaml, plan.planned[2].experiment.complete_yaml);
+  EXPECT_EQ(identity_of(again), identity_of(plan));
+}
+
+TEST_F(ScenarioFile, QuickTakesAsManyLevelsOfEachAxisAsItSays) {
+  const ScenarioPlan plan =
+      this->plan(kCells + std::string("quick: {levels: {hits: 1, misses: 2}}\n"), {.quick = true});
+  EXPECT_THAT(plan.results.axes[0].texts, ElementsAre("1"));
+  EXPECT_THAT(plan.results.axes[1].texts, ElementsAre("0", "3"));
+}
+
+TEST_F(ScenarioFile, AVariantMayHaveFewerSeeds) {
+  const std::string yaml =
+      "experiment: odds_vs_counting\nseeds: 3\nmetrics: [occupancy]\n"
+      "compare: {a: {model: counting, seeds: 1}, b: {model: odds}}\n";
+  const ScenarioPlan plan = this->plan(yaml);
+  EXPECT_THAT(plan.runs_to_do(), ElementsAre(0, 1, 3, 5));
+  const ScenarioPlan again = make_plan(load_scenario(write("y.yaml", plan.results.config_yaml)));
+  EXPECT_THAT(again.runs_to_do(), ElementsAre(0, 1, 3, 5));
+  EXPECT_EQ(identity_of(again), identity_of(plan));
+  const ScenarioPlan all = this->plan(
+      "experiment: odds_vs_counting\nseeds: 3\nmetrics: [occupancy]\n"
+      "compare: {a: {model: counting}, b: {model: odds}}\n");
+  EXPECT_NE(identity_of(all), identity_of(plan));
+  EXPECT_THAT(this->plan(yaml, {.settings = {parse_setting("seeds=1")}}).runs_to_do(),
+              ElementsAre(0, 1));
+  EXPECT_INPUT_ERROR(
+      this->plan("experiment: odds_vs_counting\nmetrics: [occupancy]\ncompare: {a: {seeds: 0}}\n"),
+      "'0' is too small");
 }
 
 TEST_F(ScenarioFile, SetFromTheCommandLineHasTheLastWord) {

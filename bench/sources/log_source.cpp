@@ -1,5 +1,7 @@
 #include "bench/sources/log_source.h"
 
+#include <fmt/format.h>
+
 #include "bench/sources/recorded_source.h"
 #include "bench/sources/simulated_source.h"
 #include "bench/sources/source_settings.h"
@@ -12,6 +14,17 @@ SourcePlan plan_source(const Settings& settings, SourceParts& parts) {
   const bool is_recorded = last_named(settings, "log") != nullptr;
   return is_recorded ? plan_recorded(settings, parts.files)
                      : plan_simulated(settings, parts.simulation);
+}
+
+LogInput LogSource::input(const SourcePlan& plan, std::uint64_t seed) const {
+  LogInput input = clean_input(plan, seed);
+  input.shared = &shared_.of(fmt::format("{}\n{}", seed, plan.clean_yaml));
+  if (plan.faults.planned.empty()) return input;
+  input.clean = input.log;
+  FaultyLog faulty = broken(std::move(input.log), input.truth, plan.faults, Rng(seed));
+  input.log = std::move(faulty.log);
+  input.faults = std::move(faulty.faults);
+  return input;
 }
 
 bool has_truth(const SourcePlan& plan) {

@@ -1,10 +1,13 @@
 #include "bench/sources/recorded_source.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <mutex>
 
 #include <fmt/format.h>
 
+#include "bench/metrics/pairs.h"
 #include "bench/sources/source_settings.h"
 #include "core/config/yaml_scalar.h"
 #include "core/data_path.h"
@@ -29,7 +32,7 @@ std::string path_of(const Setting& log) {
 Settings log_options_of(const Settings& settings) {
   Settings options;
   for (Setting setting : settings) {
-    if (setting.path == "log") continue;
+    if (setting.path == "log" || setting.path.starts_with("faults.")) continue;
     if (!setting.path.starts_with("log.")) {
       throw InputError(setting.place, in_quotes(setting.path) + " says nothing to a recorded log",
                        "take it out, or take 'log' out to simulate one");
@@ -38,6 +41,13 @@ Settings log_options_of(const Settings& settings) {
     options.push_back(std::move(setting));
   }
   return options;
+}
+
+Settings faults_of(const Settings& settings) {
+  Settings faults;
+  std::copy_if(settings.begin(), settings.end(), std::back_inserter(faults),
+               [](const Setting& setting) { return setting.path.starts_with("faults."); });
+  return faults;
 }
 
 RecordedLog read(const RecordedPlan& plan, const GoesOn& goes_on = {}) {
@@ -53,17 +63,21 @@ class RecordedSource : public LogSource {
   double recorded_seconds() const override {
     return time_of(log_.measurements.back()) - time_of(log_.measurements.front());
   }
-  LogInput input(const SourcePlan& /*plan*/, std::uint64_t /*seed*/) const override {
+
+ private:
+  LogInput clean_input(const SourcePlan& /*plan*/, std::uint64_t /*seed*/) const override {
     LogInput input;
     input.log = log_.measurements;
     input.truth = log_.true_poses;
     if (plan_.relations) {
       input.relations = [this]() -> const MeasuredRelations& { return relations(); };
     }
+    if (plan_.reference) {
+      input.pairs = [this]() -> const std::vector<Relation>& { return pairs(); };
+    }
     return input;
   }
 
- private:
   const MeasuredRelations& relations() const {
     const std::scoped_lock lock(mutex_);
     if (relations_) return *relations_;
@@ -77,10 +91,18 @@ class RecordedSource : public LogSource {
     return relations_.emplace(std::move(measured));
   }
 
+  const std::vector<Relation>& pairs() const {
+    const std::scoped_lock lock(mutex_);
+    if (pairs_) return *pairs_;
+    check_unchanged(*plan_.reference);
+    return pairs_.emplace(pairs_of(load_trajectory(plan_.reference->path)));
+  }
+
   const RecordedPlan& plan_;
   RecordedLog log_;
   mutable std::mutex mutex_;
   mutable std::optional<MeasuredRelations> relations_;
+  mutable std::optional<std::vector<Relation>> pairs_;
 };
 
 // What is stored with the log; none where the description names no such file.
@@ -94,12 +116,13 @@ RecordedPlan described(const LogDescription& description, HashedFiles& files) {
   return {.log = find_stored(description, description.log, files),
           .options = description.options,
           .relations = found(description, description.relations, files),
-          .relations_odometry = found(description, description.relations_odometry, files)};
+          .relations_odometry = found(description, description.relations_odometry, files),
+          .reference = found(description, description.reference, files)};
 }
 
 InputFiles files_of(const RecordedPlan& plan) {
   InputFiles files = {plan.log};
-  for (const auto& file : {plan.relations, plan.relations_odometry}) {
+  for (const auto& file : {plan.relations, plan.relations_odometry, plan.reference}) {
     if (file) merge({*file}, files);
   }
   return files;
@@ -127,7 +150,9 @@ SourcePlan plan_recorded(const Settings& settings, HashedFiles& files) {
   apply(log_options_of(settings), options_of(recorded.options), "log");
   plan.complete_yaml =
       "log: " + yaml_scalar(log.text) + "\n" + dotted("log", to_yaml(options_of(recorded.options)));
-  plan.key = plan.complete_yaml;
+  plan.key = plan.clean_yaml = plan.complete_yaml;
+  plan.faults = plan_faults(faults_of(settings));
+  plan.complete_yaml += plan.faults.complete_yaml;
   if (plan.missing.empty()) merge(files_of(recorded), plan.files);
   plan.origin = std::move(recorded);
   return plan;

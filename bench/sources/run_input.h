@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "bench/faults/faults.h"
 #include "bench/metrics/relations.h"
 #include "core/geometry/trajectory.h"
 #include "core/log/sensor_log.h"
@@ -13,12 +14,15 @@
 
 namespace mapbed {
 
+class SharedWork;
 struct Recording;
 struct World;
 
 // What a log offers. Only metrics may look beyond the measurements.
 struct LogInput {
   SensorLog log;                         // empty where the experiment needs none
+  SensorLog clean;                       // the same before faults were put in, if there are any
+  std::vector<FaultInLog> faults;        // that were planned
   Trajectory truth;                      // world_from_robot, by time; empty: nobody knows
   const Recording* recording = nullptr;  // null for a recorded log
   const World* world = nullptr;          // the same
@@ -26,6 +30,11 @@ struct LogInput {
   std::function<const TrueMap&(double resolution)> true_map = {};
   // How the robot truly moved between pairs of stamps; none where nobody measured that.
   std::function<const MeasuredRelations&()> relations = {};
+  // The same between poses of another program's path that are near each other, see pairs.h.
+  std::function<const std::vector<Relation>&()> pairs = {};
+  // What runs on the same clean log, noise included, work out once for all of them; null where
+  // there is no log.
+  SharedWork* shared = nullptr;
 };
 
 // What a run works on: the scenario's own log and all else that the run is given.

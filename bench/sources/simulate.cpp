@@ -42,6 +42,7 @@ void visit_fields(Options& o, Visitor&& visit) {
 struct DividedSettings {
   Settings world;
   Settings driver;
+  Settings faults;  // whole
   Settings others;  // whole
 };
 
@@ -51,6 +52,10 @@ DividedSettings by_group(const Settings& all) {
     const std::size_t dot = setting.path.find('.');
     const std::string group = setting.path.substr(0, dot);
     const bool is_world = group == "world";
+    if (group == "faults") {
+      result.faults.push_back(std::move(setting));
+      continue;
+    }
     if (dot == std::string::npos || (!is_world && group != "driver")) {
       result.others.push_back(std::move(setting));
       continue;
@@ -119,6 +124,7 @@ void write_beside(const std::string& stem, const SimulationResult& result,
                   const Trajectory& truth) {
   write_text_file(stem + kConfig, fmt::format("seed: {}\n", result.seed) +
                                       result.simulation.config +
+                                      result.simulation.faults.complete_yaml +
                                       files_yaml(result.simulation.files));
   write_truth(stem + ".truth.gz", result.recording.truth);
   write_relations(stem + ".relations", truth);
@@ -184,6 +190,7 @@ PreparedSimulation prepare_simulation(const SimulationPlan& plan, SimulationPart
   prepared.simulation = options.simulation;
   prepared.recorder = options.recorder;
   prepared.make_driver = driver.make;
+  prepared.faults = plan_faults(settings.faults);
 
   const std::string given = fmt::format(
       "world: {}\n{}robot: {}\npath: {}\ndriver: {}\n{}", yaml_scalar(plan.world),
@@ -229,6 +236,10 @@ SimulationResult run_simulation(PreparedSimulation simulation, std::uint64_t see
   SimulationResult result{.simulation = std::move(simulation), .seed = seed};
   result.recording = record(result.simulation, seed);
   result.log = with_noise(result.recording.readings, result.simulation.robot, Rng(seed));
+  const PlannedFaults& faults = result.simulation.faults;
+  if (faults.planned.empty()) return result;
+  const Trajectory truth = trajectory_of(result.recording.truth);
+  result.log = broken(std::move(result.log), truth, faults, Rng(seed)).log;
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "bench/faults/faults.h"
 #include "core/config/configured.h"
 #include "core/config/settings.h"
 #include "core/interrupted.h"
@@ -22,7 +23,7 @@ struct SimulationPlan {
   std::string path;    // a named path of the world; empty: its first
   std::string driver;  // a driver by name; empty: the first of driver_kinds()
   int people = -1;     // all together, see with_people(); -1: as many as the world says
-  Settings settings;   // world.…, robot.…, simulation.…, driver.…, recorder.…
+  Settings settings;   // world.…, robot.…, simulation.…, driver.…, recorder.…, faults.…
 };
 
 // Worlds and robots for simulations that are prepared together: each is read or built once, however
@@ -50,6 +51,7 @@ struct PreparedSimulation {
   SimulationOptions simulation;
   std::function<MakeDriver> make_driver;
   RecorderOptions recorder;
+  PlannedFaults faults;          // that are put into its log in the end; not in the texts below
   InputFiles files;              // of world and robot
   std::string config;            // complete: as a scenario file it gives the same again
   std::string noiseless_config;  // the same without what is drawn after recording: plans that agree
@@ -73,7 +75,7 @@ struct SimulationResult {
   SensorLog log;
 };
 
-// All of the above, and noise.
+// All of the above, noise and faults.
 SimulationResult run_simulation(PreparedSimulation simulation, std::uint64_t seed);
 SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed);
 

@@ -21,7 +21,8 @@ class SimulatedSource : public LogSource {
     return truth_.empty() ? 0.0 : truth_.back().time - truth_.front().time;
   }
 
-  LogInput input(const SourcePlan& plan, std::uint64_t seed) const override {
+ private:
+  LogInput clean_input(const SourcePlan& plan, std::uint64_t seed) const override {
     LogInput input;
     const Robot& robot = std::get<PreparedSimulation>(plan.origin).robot;
     input.log = with_noise(recording_.readings, robot, Rng(seed));
@@ -33,7 +34,6 @@ class SimulatedSource : public LogSource {
     return input;
   }
 
- private:
   const TrueMap& true_map(double resolution) const {
     const std::scoped_lock lock(mutex_);
     const auto found = true_maps_.find(resolution);
@@ -66,7 +66,10 @@ class SimulatedSource : public LogSource {
 
 SourcePlan plan_simulated(const Settings& settings, SimulationParts& parts) {
   PreparedSimulation simulation = prepare_simulation(simulation_plan(settings), parts);
-  SourcePlan plan{.complete_yaml = simulation.config, .key = simulation.noiseless_config};
+  SourcePlan plan{.complete_yaml = simulation.config + simulation.faults.complete_yaml,
+                  .clean_yaml = simulation.config,
+                  .key = simulation.noiseless_config,
+                  .faults = simulation.faults};
   plan.files = simulation.files;
   plan.origin = std::move(simulation);
   return plan;

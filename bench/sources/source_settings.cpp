@@ -6,7 +6,8 @@ namespace mapbed {
 namespace {
 
 const std::vector<std::string> kNames{"world", "robot", "path", "driver", "people", "log"};
-const std::vector<std::string> kGroups{"world", "robot", "simulation", "driver", "recorder", "log"};
+const std::vector<std::string> kGroups{"world",    "robot", "simulation", "driver",
+                                       "recorder", "log",   "faults"};
 
 bool contains(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();

@@ -11,7 +11,7 @@ namespace mapbed {
 // Settings of a scenario by whom they concern.
 struct DividedSettings {
   // Where the log comes from: world, robot, path, people, log and what stands below them,
-  // simulation.…, driver.…, recorder.….
+  // simulation.…, driver.…, recorder.…, and faults.… that are put into it.
   Settings source;
   // The same of further logs, by name: those of the scenario's own log, and over them what stands
   // below the name ("mapping.path"). A further log of the other kind, recorded beside a simulated

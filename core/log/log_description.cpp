@@ -69,6 +69,9 @@ LogDescription load_log_description(const std::string& yaml_path) {
     const ConfigNode* odometry = relations->find("odometry");
     if (odometry != nullptr) result.relations_odometry = stored_file_of(*odometry);
   }
+  if (const ConfigNode* reference = file.find("reference")) {
+    result.reference = stored_file_of(*reference);
+  }
   file.check_all_used("log description");
   return result;
 }
@@ -89,8 +92,8 @@ InputFile find_stored(const LogDescription& description, const StoredFile& store
 }
 
 bool is_here(const LogDescription& description) {
-  for (const StoredFile* stored :
-       {&description.log, &description.relations, &description.relations_odometry}) {
+  for (const StoredFile* stored : {&description.log, &description.relations,
+                                   &description.relations_odometry, &description.reference}) {
     if (!stored->file.empty() && place_of(description, *stored).empty()) return false;
   }
   return true;

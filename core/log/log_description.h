@@ -24,6 +24,7 @@
 //     file: intel/intel.relations.gz
 //     sha256: 1c…
 //     odometry: {file: …, sha256: …}   poses that reach the stamps between scans; none: linearly
+//   reference: {file: …, sha256: …}    where nobody did: a path found by another program
 
 namespace mapbed {
 
@@ -45,10 +46,11 @@ struct LogDescription {
   LogOptions options;
   StoredFile relations;
   StoredFile relations_odometry;
+  StoredFile reference;
 };
 
-// Throws InputError for a file that is none, or lacks any of the fields above but pieces, log and
-// relations.
+// Throws InputError for a file that is none, or lacks any of the fields above but pieces, log,
+// relations and reference.
 LogDescription load_log_description(const std::string& yaml_path);
 
 // Where a file of the description is: $MAPBED_DATA/<file>, or <file> beside the YAML file. Throws

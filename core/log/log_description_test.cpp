@@ -98,6 +98,19 @@ TEST_F(Description, NamesTheRelationsThatWereMeasuredAlongTheLog) {
                      "its file 'a.relations' is not here");
 }
 
+TEST_F(Description, NamesAPathOfAnotherProgram) {
+  const std::string poses = "0 1 0.5 0\n";
+  write_text_file(folder_.file("a.poses"), poses);
+  const std::string reference =
+      fmt::format("reference: {{file: a.poses, sha256: {}}}\n", sha256(poses));
+  const LogDescription description = load_log_description(written(log_, sha256(log_), reference));
+  HashedFiles files;
+  EXPECT_EQ(find_stored(description, description.reference, files).path, folder_.file("a.poses"));
+  EXPECT_TRUE(is_here(description));
+  std::filesystem::remove(folder_.file("a.poses"));
+  EXPECT_FALSE(is_here(description));
+}
+
 TEST_F(Description, GivesOnlyTheBeginningOfALogWhereThatIsAsked) {
   const std::string three =
       "FLASER 3 1 2 3 0 0 0 0 0 0 5 h 0\nFLASER 3 1 2 3 0 0 0 0 0 0 6 h 0\n"

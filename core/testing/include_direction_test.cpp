@@ -50,7 +50,7 @@ const std::map<std::string, std::vector<Levels>> kInnerOrder = {
        {"submaps", "rbpf", "people", "dynamic_em", "lazy_association", "rfid"}},
       {{"registration3d"}, {"surface"}, {"nonrigid", "exploration", "flight"}}}},
     {"bench",
-     {{{"process", "plot", "metrics"},
+     {{{"process", "plot", "metrics", "faults"},
        {"results"},
        {"sources"},
        {"experiments"},
