@@ -226,6 +226,21 @@ double LikelihoodField::log_at(const Eigen::Vector2d& point) const {
 // With q = d^2 in cells, ln(w exp(-q / (2 s^2)) + 1 - w) has the derivative -r / (2 s^2), r the
 // probability of the Gaussian in the mixture; q's second derivative alone counts for the curvature
 // (Gauss-Newton).
+std::optional<LikelihoodField::Surface> LikelihoodField::surface_at(
+    const Eigen::Vector2d& point) const {
+  const Eigen::Vector2d corner(double{kTileSide} * min_x_, double{kTileSide} * min_y_);
+  const Eigen::Vector2d cells = point / resolution_ - corner;
+  const Eigen::Vector2d size(width_ * kTileSide, height_ * kTileSide);
+  if (!((cells.array() >= 0.0).all() && (cells.array() < size.array()).all())) return {};
+  const Eigen::Vector2d middle = cells.array().floor() + 0.5;
+  const Cell* cell = cell_at(static_cast<int>(cells.x()), static_cast<int>(cells.y()));
+  if (cell == nullptr || cell->x == kFar) return {};
+  const Eigen::Vector2d nearest = middle + Eigen::Vector2d(double{cell->x}, double{cell->y});
+  const Eigen::Vector2d along(double{cell->along_x}, double{cell->along_y});
+  return Surface{(corner + nearest) * resolution_,
+                 along.isZero() ? along : Eigen::Vector2d(along.normalized())};
+}
+
 LikelihoodField::Shape LikelihoodField::shape_at(const Eigen::Vector2d& point) const {
   const double x = point.x() / resolution_ - double{kTileSide} * min_x_;
   const double y = point.y() / resolution_ - double{kTileSide} * min_y_;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -73,6 +74,13 @@ class LikelihoodField {
     Eigen::Matrix2d curvature = Eigen::Matrix2d::Zero();
   };
   Shape shape_at(const Eigen::Vector2d& point) const;
+
+  // The mapped surface about a point: none farther off than 3 sigma.
+  struct Surface {
+    Eigen::Vector2d point = Eigen::Vector2d::Zero();  // [m] on it
+    Eigen::Vector2d along = Eigen::Vector2d::Zero();  // of length 1; zero: no line is known
+  };
+  std::optional<Surface> surface_at(const Eigen::Vector2d& point) const;
 
   CellBox box() const;                     // of the tiles in use
   float highest_in(CellIndex cell) const;  // no point in the cell has a larger log_at

@@ -1,17 +1,49 @@
 #include "algorithms/motion/motion_prior.h"
 
+#include <algorithm>
 #include <cmath>
 
-namespace mapbed {
+#include <Eigen/Core>
 
-PosePrior predict(const Pose2& map_from_robot, const Pose2& motion,
+namespace mapbed {
+namespace {
+
+// [s] a robot that odometry shows standing for longer stands
+constexpr double kLongestTime = 1.0;
+// [s], [m] between two scans at least: an instant is no certainty
+constexpr double kShortestTime = 0.05;
+
+PosePrior spread_about(const Pose2& mean, const Pose2& motion, double seconds,
+                       const MotionSpread& spread) {
+  const double way = std::hypot(motion.x, motion.y), turn = std::abs(motion.theta);
+  const double time = std::clamp(seconds, kShortestTime, kLongestTime);
+  const auto sigma = [&](double per_meter, double per_turn, double per_time) {
+    return std::sqrt(per_meter * per_meter * way + per_turn * per_turn * turn +
+                     per_time * per_time * time);
+  };
+  const double position =
+      sigma(spread.position_per_meter, spread.position_per_turn, spread.position_per_time);
+  const double heading =
+      sigma(spread.heading_per_meter, spread.heading_per_turn, spread.heading_per_time);
+  return independent_prior(mean, position, position, heading);
+}
+
+// Half the logarithm of the volume that a belief spreads over, but for a constant.
+double log_volume(const PosePrior& prior) {
+  return -0.5 * prior.information.diagonal().array().log().sum();
+}
+
+}  // namespace
+
+PosePrior predict(const Pose2& map_from_robot, const Pose2& motion, double seconds,
                   const MotionPriorOptions& options) {
-  const double translation = std::hypot(motion.x, motion.y), turn = std::abs(motion.theta);
-  const double position = options.position_sigma + options.position_per_meter * translation +
-                          options.position_per_turn * turn;
-  const double heading = options.heading_sigma + options.heading_per_meter * translation +
-                         options.heading_per_turn * turn;
-  return independent_prior(map_from_robot * motion, position, position, heading);
+  const Pose2 mean = map_from_robot * motion;
+  PosePrior prior = spread_about(mean, motion, seconds, options.odometry);
+  const PosePrior slip = spread_about(mean, motion, seconds, options.slip);
+  prior.tail = slip.information;
+  prior.tail_log = std::log(options.slip_share / (1.0 - options.slip_share)) + log_volume(prior) -
+                   log_volume(slip);
+  return prior;
 }
 
 PosePrior predict_blindly(const Pose2& map_from_robot, const Pose2& motion, double seconds,

@@ -9,7 +9,13 @@ namespace mapbed {
 double PosePrior::log_at(const Pose2& x) const {
   const Pose2 error = motion_between(mean, x);
   const Eigen::Vector3d e(error.x, error.y, error.theta);
-  return -0.5 * e.dot(information * e);
+  return std::max(-0.5 * e.dot(information * e), tail_log - 0.5 * e.dot(tail * e));
+}
+
+const Eigen::Matrix3d& PosePrior::information_at(const Pose2& x) const {
+  const Pose2 error = motion_between(mean, x);
+  const Eigen::Vector3d e(error.x, error.y, error.theta);
+  return -0.5 * e.dot(information * e) >= tail_log - 0.5 * e.dot(tail * e) ? information : tail;
 }
 
 PosePrior independent_prior(const Pose2& mean, double sigma_forward, double sigma_left,

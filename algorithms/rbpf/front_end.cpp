@@ -39,11 +39,21 @@ FrontEnd::Place FrontEnd::place_of(const LaserScan& scan, std::span<const float>
   const bool condensed = condensed_scans_ > 0 || options_.proposal == Proposal::scan_matching;
   if (carried_far && condensed) {
     const ScanMatch match = matcher_.match(scan, beam_weights);
-    return {carried, match.map_from_robot, true, match.contradicts_prediction, match.trustworthy};
+    return {.track = match.other_prediction.value_or(carried),
+            .seen = match.map_from_robot,
+            .held_out = true,
+            .contradicts_step = match.contradicts_prediction,
+            .predicted = match.other_prediction,
+            .matched = match.trustworthy};
   }
   matcher_.add(scan, beam_weights);
   const ScanMatch& match = matcher_.last_match();
-  return {matcher_.pose(), matcher_.pose(), false, match.contradicts_prediction, match.trustworthy};
+  return {.track = matcher_.pose(),
+          .seen = matcher_.pose(),
+          .held_out = false,
+          .contradicts_step = match.contradicts_prediction,
+          .predicted = match.other_prediction,
+          .matched = match.trustworthy};
 }
 
 UpdateMotion FrontEnd::motion_to(const Place& place, const std::optional<Pose2>& step,
@@ -51,13 +61,14 @@ UpdateMotion FrontEnd::motion_to(const Place& place, const std::optional<Pose2>&
   if (updates_.empty()) return {};
   const Update& before = updates_.back();
   const bool condensed = condensed_scans_ > 0;
-  return {
-      .whole = motion_between(before.track_from_robot, place.track),
-      .condensed = condensed ? motion_between(before.seen_from_robot, track_from_robot_) : Pose2{},
-      .step = condensed ? step : motion_since(at_update_, odometry),
-      .seconds = time - scans_.back().time,
-      .guess = motion_between(before.seen_from_robot, place.seen),
-      .step_contradicted = place.contradicts_step};
+  const Pose2& condensed_to = condensed ? track_from_robot_ : before.seen_from_robot;
+  const std::optional<Pose2> by_odometry = condensed ? step : motion_since(at_update_, odometry);
+  return {.whole = motion_between(before.track_from_robot, place.track),
+          .condensed = condensed ? motion_between(before.seen_from_robot, condensed_to) : Pose2{},
+          .step = place.predicted ? motion_between(condensed_to, *place.predicted) : by_odometry,
+          .seconds = time - scans_.back().time,
+          .guess = motion_between(before.seen_from_robot, place.seen),
+          .step_contradicted = place.contradicts_step};
 }
 
 FrontEnd::Result FrontEnd::add(const LaserScan& scan, std::span<const float> beam_weights) {

@@ -37,6 +37,10 @@ class FrontEnd {
   };
   void add(const Odometry& odometry);
   Result add(const LaserScan& scan, std::span<const float> beam_weights = {});
+  // Of a scan that is to be added next: IncrementalMatcher.
+  std::vector<bool> at_edge(const LaserScan& scan, const std::vector<Eigen::Vector2d>& hits) const {
+    return matcher_.at_edge(scan, hits);
+  }
 
   bool newest_is_matched() const { return newest_.matched; }  // false: it fits nowhere near
   // Scans to come are matched with the newest one alone, not with what was seen before, so that at
@@ -65,7 +69,8 @@ class FrontEnd {
     bool held_out = false;  // the matcher does not remember it: it weights
     // Found elsewhere than odometry's step from the last matched scan ends.
     bool contradicts_step = false;
-    bool matched = true;  // false: it fits nowhere
+    std::optional<Pose2> predicted = {};  // where odometry's last step was not believed
+    bool matched = true;                  // false: it fits nowhere
   };
   Place place_of(const LaserScan& scan, std::span<const float> beam_weights,
                  const std::optional<Pose2>& step);

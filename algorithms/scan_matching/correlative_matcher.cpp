@@ -59,27 +59,27 @@ Pose2 pose_on(const Lattice& lattice, const Pose2& center, double resolution, in
 // direction.
 class PriorBound {
  public:
-  explicit PriorBound(const PosePrior& prior) : prior_(prior) {
-    const Eigen::Matrix2d position = prior.information.topLeftCorner<2, 2>();
-    const Eigen::Vector2d mixed = prior.information.topRightCorner<2, 1>();
+  PriorBound(const Pose2& mean, const Eigen::Matrix3d& information) : mean_(mean) {
+    const Eigen::Matrix2d position = information.topLeftCorner<2, 2>();
+    const Eigen::Vector2d mixed = information.topRightCorner<2, 1>();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(position);
     flattest_ = std::max(0.0, solver.eigenvalues()[0]);
     if (flattest_ <= 0.0) return;
     offset_per_radian_ = -position.inverse() * mixed;
-    heading_ = std::max(0.0, prior.information(2, 2) + mixed.dot(offset_per_radian_));
+    heading_ = std::max(0.0, information(2, 2) + mixed.dot(offset_per_radian_));
   }
 
   double over(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double theta) const {
     if (flattest_ <= 0.0) return 0.0;
-    const double error = angle_difference(prior_.mean.theta, theta);
-    const Eigen::Vector2d best = prior_.mean * (offset_per_radian_ * error).eval();
+    const double error = angle_difference(mean_.theta, theta);
+    const Eigen::Vector2d best = mean_ * (offset_per_radian_ * error).eval();
     const Eigen::Vector2d outside =
         (low - best).cwiseMax(best - high).cwiseMax(Eigen::Vector2d::Zero());
     return -0.5 * (heading_ * error * error + flattest_ * outside.squaredNorm());
   }
 
  private:
-  PosePrior prior_;
+  Pose2 mean_;
   double flattest_ = 0.0;
   double heading_ = 0.0;
   Eigen::Vector2d offset_per_radian_ = Eigen::Vector2d::Zero();
@@ -100,7 +100,9 @@ class CorrelativeSearch {
         map_(map),
         pyramid_(pyramid),
         prediction_(prediction),
-        prior_bound_(prediction),
+        prior_bound_(prediction.mean, prediction.information),
+        tail_bound_(prediction.mean, prediction.tail),
+        tail_log_(prediction.tail_log),
         lattice_(lattice),
         limits_(limits),
         floor_(double{map.outlier_log()} * points.total_weight()),
@@ -173,9 +175,10 @@ class CorrelativeSearch {
     const double sum = sum_of(bounds, cells, turn);
     const Pose2 low = pose_on(lattice_, prediction_.mean, map_.resolution(), turn, x, y);
     const double side = ((1 << level) - 1) * map_.resolution();
+    const Eigen::Vector2d corner = low.position(), opposite = corner + Eigen::Vector2d(side, side);
     return floor_ + sum * pyramid_.step +
-           prior_bound_.over(low.position(), low.position() + Eigen::Vector2d(side, side),
-                             low.theta);
+           std::max(prior_bound_.over(corner, opposite, low.theta),
+                    tail_log_ + tail_bound_.over(corner, opposite, low.theta));
   }
 
   double sum_of(const std::uint8_t* bounds, const std::vector<std::int32_t>& cells,
@@ -226,7 +229,8 @@ class CorrelativeSearch {
   const LikelihoodField& map_;
   const BoundPyramid& pyramid_;
   const PosePrior& prediction_;
-  PriorBound prior_bound_;
+  PriorBound prior_bound_, tail_bound_;
+  double tail_log_;
   Lattice lattice_;
   const SearchLimits& limits_;
   double floor_;

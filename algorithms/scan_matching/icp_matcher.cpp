@@ -66,9 +66,9 @@ ScanMatch match_icp(const std::vector<Eigen::Vector2d>& points_in_robot, const I
 
   for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
     // Gauss-Newton on a step in the robot's frame: x, y, theta.
-    Eigen::Matrix3d h = prediction.information;
+    Eigen::Matrix3d h = prediction.information_at(match.map_from_robot);
     const Pose2 off = motion_between(prediction.mean, match.map_from_robot);
-    Eigen::Vector3d g = prediction.information * Eigen::Vector3d(off.x, off.y, off.theta);
+    Eigen::Vector3d g = h * Eigen::Vector3d(off.x, off.y, off.theta);
     const double c = std::cos(match.map_from_robot.theta), s = std::sin(match.map_from_robot.theta);
     double paired = 0.0, all = 0.0;  // weights
     double cost = 0.0;

@@ -12,14 +12,15 @@ namespace {
 
 constexpr std::size_t kMinPoints = 10;  // fewer say nothing about a pose
 constexpr double kClearlyMore = 0.1;    // of the scan explained
+constexpr double kAsMuch = 0.02;        // the same, up to the noise of beams
 
 }  // namespace
 
 IncrementalMatcher::IncrementalMatcher(const IncrementalMatcherOptions& options, const Pose2& start)
     : options_(options),
       map_from_robot_(start),
-      means_(options.field.resolution),
-      field_(options.field) {}
+      recent_(options.motion),
+      local_scans_(options.local_map, options.field, options.points.max_range) {}
 
 void IncrementalMatcher::add(const Measurement& measurement, std::span<const float> beam_weights) {
   if (const auto* odometry = std::get_if<Odometry>(&measurement)) odometry_.add(*odometry);
@@ -42,18 +43,64 @@ std::optional<Pose2> IncrementalMatcher::odometry_at(double time) const {
 
 IncrementalMatcher::Prediction IncrementalMatcher::predicted(double time) const {
   const std::optional<Pose2> odometry = odometry_at(time);
-  if (!odometry || !odometry_at_last_scan_) return {prediction(time), true};
+  if (!odometry || !odometry_at_last_scan_) return {going_on(time), true};
   return {predict(map_from_robot_, motion_between(*odometry_at_last_scan_, *odometry),
-                  options_.motion)};
+                  time - trajectory_.back().time, options_.motion)};
+}
+
+// Where the robot may be besides: none while scans and odometry agree.
+std::vector<IncrementalMatcher::OtherPrediction> IncrementalMatcher::other_predictions(
+    double time) const {
+  const std::optional<Pose2> odometry = odometry_at(time);
+  if (!odometry || !odometry_at_last_scan_) return {};
+  const std::vector<PosePrior> late = recent_.elsewhere(time, *odometry);
+  if (late.empty()) return {};
+  const PosePrior going_on = this->going_on(time);
+  const Pose2 step = map_from_robot_ * motion_between(*odometry_at_last_scan_, *odometry);
+  std::vector<OtherPrediction> others;
+  for (const PosePrior& prior : late) {
+    others.push_back({prior, going_on.log_at(prior.mean) > going_on.log_at(step)});
+  }
+  others.push_back({going_on, false});
+  const double seconds = time - trajectory_.back().time;
+  others.push_back({predict_blindly(map_from_robot_, {}, seconds, options_.motion), false});
+  return others;
 }
 
 ScanMatch IncrementalMatcher::match(const LaserScan& scan, std::span<const float> beam_weights) {
   if (trajectory_.empty()) return {.map_from_robot = map_from_robot_};
-  const auto [prior, blind] = predicted(scan.time);
-  ScanMatch match = aligned(hit_points(scan, options_.points),
-                            hit_point_weights(scan, options_.points, beam_weights), prior, blind);
-  if (!match.trustworthy) match.map_from_robot = prior.mean;
+  const Hits hits{hit_points(scan, options_.points),
+                  hit_point_weights(scan, options_.points, beam_weights),
+                  scan.robot_from_laser.planar};
+  ScanMatch match = matched(hits, predicted(scan.time));
+  const std::vector<OtherPrediction> others = other_predictions(scan.time);
+  if (!others.empty()) match = best_of(hits, match, others);
   return match;
+}
+
+// Beams err together, so that another place must explain clearly more of the scan than the one
+// where odometry's last step has the robot; as much, where the step is the odd one.
+ScanMatch IncrementalMatcher::best_of(const Hits& hits, const ScanMatch& by_step,
+                                      const std::vector<OtherPrediction>& others) {
+  const LikelihoodField& field = local_scans_.field();
+  const FieldPoints all = to_field_points(hits.points, field.resolution(), hits.weights);
+  const auto explained = [&](const ScanMatch& match) {
+    return inlier_ratio(field.sum_log_at(all, match.map_from_robot),
+                        double{field.outlier_log()} * all.total_weight());
+  };
+  ScanMatch best = by_step;
+  const double by_step_explained = explained(by_step);
+  double most = 0.0;
+  for (const OtherPrediction& other : others) {
+    ScanMatch match = matched(hits, {other.prior});
+    const double share = explained(match);
+    const double to_beat = by_step_explained + (other.is_likelier ? -kAsMuch : kClearlyMore);
+    if (!match.trustworthy || share < std::max(to_beat, most)) continue;
+    match.other_prediction = other.prior.mean;
+    best = match;
+    most = share;
+  }
+  return best;
 }
 
 void IncrementalMatcher::add_scan(const LaserScan& scan, std::span<const float> beam_weights) {
@@ -65,11 +112,16 @@ void IncrementalMatcher::add_scan(const LaserScan& scan, std::span<const float> 
   }
   odometry_at_last_scan_ = odometry_at(scan.time);
   trajectory_.push_back({scan.time, map_from_robot_});
-  remember(scan);
+  if (odometry_at_last_scan_) {
+    recent_.add(scan.time, map_from_robot_, *odometry_at_last_scan_);
+  } else {
+    recent_.clear();
+  }
+  local_scans_.remember(scan, map_from_robot_);
 }
 
 // Where the robot is if it went on as between the last two scans.
-PosePrior IncrementalMatcher::prediction(double time) const {
+PosePrior IncrementalMatcher::going_on(double time) const {
   const Stamped<Pose2>& newest = trajectory_.back();
   const double seconds = time - newest.time;
   Pose2 motion;
@@ -83,83 +135,76 @@ PosePrior IncrementalMatcher::prediction(double time) const {
   return predict_blindly(newest.pose, motion, seconds, options_.motion);
 }
 
-ScanMatch IncrementalMatcher::aligned(const std::vector<Eigen::Vector2d>& points,
-                                      const std::vector<float>& weights, const PosePrior& prior,
-                                      bool blind) {
-  if (points.size() < kMinPoints || kept_poses_.empty()) return {.map_from_robot = prior.mean};
+// At the prediction where nothing there is to be trusted.
+ScanMatch IncrementalMatcher::matched(const Hits& hits, const Prediction& prediction) {
+  ScanMatch match = aligned(hits, prediction);
+  if (!match.trustworthy) match.map_from_robot = prediction.prior.mean;
+  return match;
+}
+
+ScanMatch IncrementalMatcher::aligned(const Hits& hits, const Prediction& prediction) {
+  const PosePrior& prior = prediction.prior;
+  const ScanMatch none{.map_from_robot = prior.mean};
+  if (hits.points.size() < kMinPoints || local_scans_.empty()) return none;
   if (options_.alignment == Alignment::icp) {
-    if (!icp_map_) icp_map_.emplace(means_.means());
-    return match_icp(points, *icp_map_, prior, options_.icp, weights);
+    return match_icp(hits.points, local_scans_.icp_map(), prior, options_.icp, hits.weights);
   }
-  const FieldPoints in_cells = to_field_points(points, field_.resolution(), weights);
+  const Hits known = this->known(hits, prior.mean);
+  if (known.points.size() < kMinPoints) return none;
+  const LikelihoodField& field = local_scans_.field();
+  const FieldPoints points = to_field_points(known.points, field.resolution(), known.weights);
   ScanMatch match;
   if (options_.alignment == Alignment::hill_climbing) {
-    match = match_scan(in_cells, field_, prior, options_.climb);
+    match = match_scan(points, field, prior, options_.climb);
     const bool convincing = match.trustworthy && match.inlier_ratio >= options_.search_below;
-    if (convincing && !blind) return match;
+    if (convincing && !prediction.blind) return match;
   }
-  const Pose2 start =
-      match_correlative(in_cells, field_, pyramid(), prior, options_.search).map_from_robot;
-  const ScanMatch searched = match_scan_from(start, in_cells, field_, prior, options_.climb);
+  const Pose2 start = match_correlative(points, field, local_scans_.pyramid(options_.search.window),
+                                        prior, options_.search)
+                          .map_from_robot;
+  const ScanMatch searched = match_scan_from(start, points, field, prior, options_.climb);
   // Beams err together, so a slightly better sum is no reason to leave the optimum next to where
   // odometry has the robot.
-  const bool clearly =
-      blind || !match.trustworthy || searched.inlier_ratio >= match.inlier_ratio + kClearlyMore;
+  const bool clearly = prediction.blind || !match.trustworthy ||
+                       searched.inlier_ratio >= match.inlier_ratio + kClearlyMore;
   const bool better = searched.log_posterior > match.log_posterior && clearly;
   if (match.points_used == 0 || better) match = searched;
-  return match.trustworthy ? match : searched_widely(in_cells, match);
+  return match.trustworthy ? match : searched_widely(points, match);
+}
+
+IncrementalMatcher::Hits IncrementalMatcher::known(const Hits& hits, const Pose2& predicted) const {
+  const std::vector<bool> is_known =
+      local_scans_.known(hits.points, hits.robot_from_laser, predicted);
+  Hits result{.points = {}, .weights = {}, .robot_from_laser = hits.robot_from_laser};
+  for (std::size_t i = 0; i < hits.points.size(); ++i) {
+    if (!is_known[i]) continue;
+    result.points.push_back(hits.points[i]);
+    if (!hits.weights.empty()) result.weights.push_back(hits.weights[i]);
+  }
+  return result;
 }
 
 // The best match of the wider search if it explains enough, else `match`.
 ScanMatch IncrementalMatcher::searched_widely(const FieldPoints& points,
                                               const ScanMatch& match) const {
+  const LikelihoodField& field = local_scans_.field();
   const PosePrior anywhere{.mean = match.map_from_robot};
-  const BoundPyramid wide = make_bound_pyramid(field_, options_.wide_search.window);
-  const ScanMatch found = match_correlative(points, field_, wide, anywhere, options_.wide_search);
+  const BoundPyramid wide = make_bound_pyramid(field, options_.wide_search.window);
+  const ScanMatch found = match_correlative(points, field, wide, anywhere, options_.wide_search);
   ScanMatch refined =
-      match_scan_from(found.map_from_robot, points, field_, anywhere, options_.climb);
+      match_scan_from(found.map_from_robot, points, field, anywhere, options_.climb);
   refined.contradicts_prediction = true;
   return refined.inlier_ratio >= options_.wide_search.min_inlier_ratio ? refined : match;
 }
 
-const BoundPyramid& IncrementalMatcher::pyramid() {
-  if (!pyramid_is_current_) remake_bound_pyramid(field_, options_.search.window, pyramid_);
-  pyramid_is_current_ = true;
-  return pyramid_;
-}
-
-// Keeps the scan for the local map where it is far enough from the one kept before, and brings the
-// local map up to date: as all kept scans are that far from each other, it is made of the newest of
-// them. In between the map stays as it is: Algorithm 1 would only exchange its newest
-// scan.
-void IncrementalMatcher::remember(const LaserScan& scan) {
-  const bool far =
-      kept_poses_.empty() || is_far_enough(kept_poses_.back(), map_from_robot_, options_.local_map);
-  if (!far) return;
-  kept_poses_.push_back(map_from_robot_);
-  kept_points_.push_back(
-      transformed(surface_points(scan, options_.points.max_range, options_.local_map.max_gap,
-                                 field_.resolution()),
-                  map_from_robot_));
-
-  means_.add(kept_points_.back());
-  forget_oldest(select_local_scans(kept_poses_, options_.local_map).back());
+std::vector<bool> IncrementalMatcher::at_edge(const LaserScan& scan,
+                                              const std::vector<Eigen::Vector2d>& hits) const {
+  if (trajectory_.empty() || local_scans_.empty()) return std::vector<bool>(hits.size(), false);
+  return local_scans_.at_edge(hits, scan.robot_from_laser.planar, predicted(scan.time).prior.mean);
 }
 
 void IncrementalMatcher::forget_past(bool keep_newest) {
-  const std::size_t kept = keep_newest ? 1 : 0;
-  if (kept_poses_.size() > kept) forget_oldest(kept_poses_.size() - kept);
-}
-
-void IncrementalMatcher::forget_oldest(std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    means_.remove(kept_points_.front());
-    kept_points_.pop_front();
-  }
-  kept_poses_.erase(kept_poses_.begin(), kept_poses_.begin() + static_cast<std::ptrdiff_t>(count));
-  field_.update(means_, means_.take_changed());
-  pyramid_is_current_ = false;
-  icp_map_.reset();
+  local_scans_.forget_past(keep_newest);
 }
 
 }  // namespace mapbed

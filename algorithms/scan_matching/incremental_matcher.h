@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -9,11 +8,12 @@
 #include "algorithms/field/local_map.h"
 #include "algorithms/motion/motion_prior.h"
 #include "algorithms/motion/odometry_track.h"
+#include "algorithms/motion/recent_motion.h"
 #include "algorithms/scan/hit_points.h"
 #include "algorithms/scan/level_lasers.h"
-#include "algorithms/scan/surface_points.h"
 #include "algorithms/scan_matching/correlative_matcher.h"
 #include "algorithms/scan_matching/icp_matcher.h"
+#include "algorithms/scan_matching/local_scans.h"
 #include "algorithms/scan_matching/scan_matcher.h"
 
 namespace mapbed {
@@ -59,8 +59,10 @@ void visit_fields(IncrementalMatcherOptions& o, Visitor&& visit) {
 // climbing starts without odometry, or ends with a match that explains little (a side optimum, if
 // not a changed world), a correlative search over a window looks for a better start; where that
 // match is not to be trusted either, a wider one takes the prediction for wrong (wheels that spun,
-// a robot that was turned by hand). Errors add up
-// over time: loops stay open. Memory is bounded by the local map, the trajectory apart.
+// a robot that was turned by hand). Hits on ground that the local map does not know say nothing.
+// Where odometry's last step contradicts what odometry and scans say of the last seconds together,
+// the robot is also looked for where that and its speed would have it. Errors add up over time:
+// loops stay open. Memory is bounded by the local map, the trajectory apart.
 class IncrementalMatcher : public Estimator {
  public:
   // `start` is map_from_robot at the first scan.
@@ -76,6 +78,10 @@ class IncrementalMatcher : public Estimator {
   // Where a scan would be put; it is not remembered.
   ScanMatch match(const LaserScan& scan, std::span<const float> beam_weights = {});
 
+  // Which of the scan's hits [m in the robot frame] lie at the edge of what the local map knows,
+  // where the robot is predicted: LocalScans.
+  std::vector<bool> at_edge(const LaserScan& scan, const std::vector<Eigen::Vector2d>& hits) const;
+
   // Goes on without the local map, but for its newest scan where that is kept: as after scans that
   // do not fit what was seen before.
   void forget_past(bool keep_newest);
@@ -88,16 +94,28 @@ class IncrementalMatcher : public Estimator {
     PosePrior prior;
     bool blind = false;  // without odometry
   };
+  struct OtherPrediction {
+    PosePrior prior;
+    bool is_likelier =
+        false;  // nearer to where the robot is at its speed than odometry's last step
+  };
+  // A scan as it is matched.
+  struct Hits {
+    std::vector<Eigen::Vector2d> points;  // [m] in the robot frame
+    std::vector<float> weights;           // empty: all count fully
+    Pose2 robot_from_laser;
+  };
   void add_scan(const LaserScan& scan, std::span<const float> beam_weights);
   std::optional<Pose2> odometry_at(double time) const;
   Prediction predicted(double time) const;
-  PosePrior prediction(double time) const;
-  ScanMatch aligned(const std::vector<Eigen::Vector2d>& points, const std::vector<float>& weights,
-                    const PosePrior& prior, bool blind);
-  void remember(const LaserScan& scan);
-  void forget_oldest(std::size_t count);
+  std::vector<OtherPrediction> other_predictions(double time) const;
+  PosePrior going_on(double time) const;
+  ScanMatch matched(const Hits& hits, const Prediction& prediction);
+  ScanMatch aligned(const Hits& hits, const Prediction& prediction);
+  Hits known(const Hits& hits, const Pose2& predicted) const;
+  ScanMatch best_of(const Hits& hits, const ScanMatch& by_step,
+                    const std::vector<OtherPrediction>& others);
   ScanMatch searched_widely(const FieldPoints& points, const ScanMatch& match) const;
-  const BoundPyramid& pyramid();
 
   IncrementalMatcherOptions options_;
   LevelLasers lasers_;
@@ -107,14 +125,8 @@ class IncrementalMatcher : public Estimator {
   Trajectory trajectory_;
   int untrusted_scans_ = 0;
   std::optional<Pose2> odometry_at_last_scan_;
-  // The local map: past scans that were far enough from each other, oldest first.
-  std::vector<Pose2> kept_poses_;
-  std::deque<std::vector<SurfacePoint>> kept_points_;  // [m] in the map frame
-  SurfaceMeans means_;
-  LikelihoodField field_;
-  BoundPyramid pyramid_;  // of field_, made when first needed
-  bool pyramid_is_current_ = false;
-  std::optional<IcpMap> icp_map_;  // the same for ICP
+  RecentMotion recent_;
+  LocalScans local_scans_;
 };
 
 }  // namespace mapbed

@@ -43,8 +43,9 @@ Pose2 polished(const Pose2& start, const FieldPoints& points, const LikelihoodFi
   Pose2 x = start;
   for (int i = 0; i < iterations; ++i) {
     const Pose2 off = motion_between(prediction.mean, x);
-    Eigen::Matrix3d h = prediction.information + 1e-6 * Eigen::Matrix3d::Identity();
-    Eigen::Vector3d g = -prediction.information * Eigen::Vector3d(off.x, off.y, off.theta);
+    const Eigen::Matrix3d& information = prediction.information_at(x);
+    Eigen::Matrix3d h = information + 1e-6 * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d g = -information * Eigen::Vector3d(off.x, off.y, off.theta);
     const LikelihoodSlope scan = likelihood_slope(points, 0, points.size(), map, x);
     h += scan.curvature;
     g += scan.slope;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "algorithms/field/likelihood_field.h"
 #include "algorithms/motion/pose_prior.h"
 #include "core/config/option.h"
@@ -41,6 +43,8 @@ struct ScanMatch {
   int points_used = 0;
   bool trustworthy = false;             // false: the caller should keep the prediction
   bool contradicts_prediction = false;  // found without regard to it, as nothing near it fitted
+  // Where the robot was looked for, where that is not where odometry's last step ends.
+  std::optional<Pose2> other_prediction = {};
 };
 
 // `points` as made by to_field_points(…, map.resolution()).

@@ -122,10 +122,9 @@ constexpr const char* kBeside[] = {kConfig, ".truth.gz", ".relations",
 // The configuration first: it says whose the others are, also after a kill.
 void write_beside(const std::string& stem, const SimulationResult& result,
                   const Trajectory& truth) {
-  write_text_file(stem + kConfig, fmt::format("seed: {}\n", result.seed) +
-                                      result.simulation.config +
-                                      result.simulation.faults.complete_yaml +
-                                      files_yaml(result.simulation.files));
+  write_text_file(stem + kConfig,
+                  fmt::format("seed: {}\n", result.seed) + result.simulation.config +
+                      result.simulation.faults.complete_yaml + files_yaml(result.simulation.files));
   write_truth(stem + ".truth.gz", result.recording.truth);
   write_relations(stem + ".relations", truth);
   write_trajectory(stem + ".tum", truth);

@@ -23,6 +23,8 @@ constexpr RenamedOption kRenamed[] = {
 
 constexpr char kMatchersOwn[] = "try such values with the method scan_matching, where it is one";
 constexpr char kFoundOnce[] = "its value was found once and is the same for all; leave it out";
+constexpr char kGrows[] =
+    "errors grow with the root of the motion and of time: set 'motion.odometry' and 'motion.slip'";
 constexpr FixedOption kFixed[] = {
     {"matcher.search_below", kMatchersOwn},
     {"matcher.points", kMatchersOwn},
@@ -41,6 +43,10 @@ constexpr FixedOption kFixed[] = {
     {"relocalization.beyond_path", kFoundOnce},
     {"relocalization.field", kFoundOnce},
     {"troubles.standing", kFoundOnce},
+    {"motion.position_per_meter", kGrows},
+    {"motion.position_per_turn", kGrows},
+    {"motion.heading_per_meter", kGrows},
+    {"motion.heading_per_turn", kGrows},
 };
 
 // Where `part` stands in `path` with dots or nothing around it; npos where it does not.

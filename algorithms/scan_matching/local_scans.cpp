@@ -1,0 +1,81 @@
+#include "algorithms/scan_matching/local_scans.h"
+
+namespace mapbed {
+
+LocalScans::LocalScans(const LocalMapOptions& local_map, const LikelihoodFieldOptions& field,
+                       double max_range)
+    : options_(local_map), max_range_(max_range), means_(field.resolution), field_(field) {}
+
+void LocalScans::remember(const LaserScan& scan, const Pose2& map_from_robot) {
+  const bool far = poses_.empty() || is_far_enough(poses_.back(), map_from_robot, options_);
+  if (!far) return;
+  poses_.push_back(map_from_robot);
+  points_.push_back(transformed(
+      surface_points(scan, max_range_, options_.max_gap, field_.resolution()), map_from_robot));
+  means_.add(points_.back());
+  outlines_.push_back(ObservedGround::outline_of(scan, max_range_, map_from_robot));
+  ground_.add(outlines_.back());
+  forget_oldest(select_local_scans(poses_, options_).back());
+}
+
+void LocalScans::forget_past(bool keep_newest) {
+  const std::size_t kept = keep_newest ? 1 : 0;
+  if (poses_.size() > kept) forget_oldest(poses_.size() - kept);
+}
+
+void LocalScans::forget_oldest(std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    means_.remove(points_.front());
+    points_.pop_front();
+    ground_.remove(outlines_.front());
+    outlines_.pop_front();
+  }
+  poses_.erase(poses_.begin(), poses_.begin() + static_cast<std::ptrdiff_t>(count));
+  field_.update(means_, means_.take_changed());
+  pyramid_is_current_ = false;
+  icp_map_.reset();
+}
+
+std::vector<bool> LocalScans::known(const std::vector<Eigen::Vector2d>& hits,
+                                    const Pose2& robot_from_laser, const Pose2& predicted) const {
+  const Eigen::Vector2d laser = (predicted * robot_from_laser).position();
+  std::vector<bool> result;
+  result.reserve(hits.size());
+  for (const Eigen::Vector2d& hit : hits) {
+    result.push_back(ground_.knows_about(predicted * hit, laser, field_));
+  }
+  return result;
+}
+
+std::vector<bool> LocalScans::at_edge(const std::vector<Eigen::Vector2d>& hits,
+                                      const Pose2& robot_from_laser, const Pose2& predicted) const {
+  std::vector<bool> result = known(hits, robot_from_laser, predicted);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    result[i] = !result[i] && is_near_surface(predicted * hits[i]);
+  }
+  return result;
+}
+
+// Within about half a metre: the field reaches 3 sigma, and the points about are looked at too.
+bool LocalScans::is_near_surface(const Eigen::Vector2d& point) const {
+  constexpr double kAway = 0.3;  // [m]
+  for (int i = -1; i <= 1; ++i) {
+    for (int j = -1; j <= 1; ++j) {
+      if (field_.surface_at(point + kAway * Eigen::Vector2d(i, j))) return true;
+    }
+  }
+  return false;
+}
+
+const BoundPyramid& LocalScans::pyramid(double window) {
+  if (!pyramid_is_current_) remake_bound_pyramid(field_, window, pyramid_);
+  pyramid_is_current_ = true;
+  return pyramid_;
+}
+
+const IcpMap& LocalScans::icp_map() {
+  if (!icp_map_) icp_map_.emplace(means_.means());
+  return *icp_map_;
+}
+
+}  // namespace mapbed
