@@ -48,13 +48,14 @@ IncrementalMatcher::Prediction IncrementalMatcher::predicted(double time) const 
                   time - trajectory_.back().time, options_.motion)};
 }
 
-// Where the robot may be besides: none while scans and odometry agree.
+// Where the robot may be besides where odometry's last step ends: nowhere while scans and odometry
+// agree about the last seconds and the scan fits there.
 std::vector<IncrementalMatcher::OtherPrediction> IncrementalMatcher::other_predictions(
-    double time) const {
+    double time, bool by_step_is_doubtful) const {
   const std::optional<Pose2> odometry = odometry_at(time);
   if (!odometry || !odometry_at_last_scan_) return {};
   const std::vector<PosePrior> late = recent_.elsewhere(time, *odometry);
-  if (late.empty()) return {};
+  if (late.empty() && !by_step_is_doubtful) return {};
   const PosePrior going_on = this->going_on(time);
   const Pose2 step = map_from_robot_ * motion_between(*odometry_at_last_scan_, *odometry);
   std::vector<OtherPrediction> others;
@@ -73,7 +74,8 @@ ScanMatch IncrementalMatcher::match(const LaserScan& scan, std::span<const float
                   hit_point_weights(scan, options_.points, beam_weights),
                   scan.robot_from_laser.planar};
   ScanMatch match = matched(hits, predicted(scan.time));
-  const std::vector<OtherPrediction> others = other_predictions(scan.time);
+  const std::vector<OtherPrediction> others =
+      other_predictions(scan.time, match.inlier_ratio < options_.search_below);
   if (!others.empty()) match = best_of(hits, match, others);
   return match;
 }
@@ -95,7 +97,8 @@ ScanMatch IncrementalMatcher::best_of(const Hits& hits, const ScanMatch& by_step
     ScanMatch match = matched(hits, {other.prior});
     const double share = explained(match);
     const double to_beat = by_step_explained + (other.is_likelier ? -kAsMuch : kClearlyMore);
-    if (!match.trustworthy || share < std::max(to_beat, most)) continue;
+    const bool convincing = match.trustworthy && match.inlier_ratio >= options_.search_below;
+    if (!convincing || share < std::max(to_beat, most)) continue;
     match.other_prediction = other.prior.mean;
     best = match;
     most = share;

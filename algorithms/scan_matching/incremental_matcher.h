@@ -4,55 +4,14 @@
 #include <vector>
 
 #include "algorithms/estimator.h"
-#include "algorithms/field/likelihood_field.h"
-#include "algorithms/field/local_map.h"
-#include "algorithms/motion/motion_prior.h"
 #include "algorithms/motion/odometry_track.h"
 #include "algorithms/motion/recent_motion.h"
-#include "algorithms/scan/hit_points.h"
 #include "algorithms/scan/level_lasers.h"
-#include "algorithms/scan_matching/correlative_matcher.h"
-#include "algorithms/scan_matching/icp_matcher.h"
+#include "algorithms/scan_matching/incremental_matcher_options.h"
 #include "algorithms/scan_matching/local_scans.h"
 #include "algorithms/scan_matching/scan_matcher.h"
 
 namespace mapbed {
-
-// How a scan is aligned with the local map.
-enum class Alignment : int { hill_climbing, correlative, icp };
-
-struct IncrementalMatcherOptions {
-  Alignment alignment = Alignment::hill_climbing;
-  bool use_odometry = true;   // false: predict from the last motion alone, as where a log has none
-  double search_below = 0.7;  // a climb that explains less of the scan is checked by a search
-  HitPointOptions points;
-  LocalMapOptions local_map;
-  LikelihoodFieldOptions field;
-  MotionPriorOptions motion;
-  ScanMatcherOptions climb;
-  CorrelativeMatcherOptions search;
-  CorrelativeMatcherOptions wide_search{
-      .window = 1.0, .turn_window = 3.15, .min_inlier_ratio = 0.65};
-  IcpMatcherOptions icp;
-};
-
-template <class Visitor>
-void visit_fields(IncrementalMatcherOptions& o, Visitor&& visit) {
-  visit("alignment", o.alignment, {"hill_climbing", "correlative", "icp"},
-        "how a scan is aligned with the local map");
-  visit("use_odometry", o.use_odometry, "false: predict from the last motion alone");
-  visit("search_below", o.search_below, kFraction,
-        "hill climbing that explains a smaller fraction of the scan is checked by a search");
-  visit("points", o.points, "which points of a scan are matched");
-  visit("local_map", o.local_map, "which past scans are matched against");
-  visit("field", o.field, "the smoothed local map");
-  visit("motion", o.motion, "what the prediction is worth");
-  visit("climb", o.climb, "hill climbing");
-  visit("search", o.search, "correlative search");
-  visit("wide_search", o.wide_search,
-        "search without regard to the prediction, after an untrusted match");
-  visit("icp", o.icp, "point-to-line ICP");
-}
 
 // Incremental scan matching, section 2.3: each scan is aligned with a local map of a bounded number
 // of past scans (Algorithm 1), starting where odometry or the last motion predicts. Where hill
@@ -108,7 +67,7 @@ class IncrementalMatcher : public Estimator {
   void add_scan(const LaserScan& scan, std::span<const float> beam_weights);
   std::optional<Pose2> odometry_at(double time) const;
   Prediction predicted(double time) const;
-  std::vector<OtherPrediction> other_predictions(double time) const;
+  std::vector<OtherPrediction> other_predictions(double time, bool by_step_is_doubtful) const;
   PosePrior going_on(double time) const;
   ScanMatch matched(const Hits& hits, const Prediction& prediction);
   ScanMatch aligned(const Hits& hits, const Prediction& prediction);
