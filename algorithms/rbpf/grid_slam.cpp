@@ -31,7 +31,8 @@ GridSlam::GridSlam(const GridSlamOptions& options, Rng rng, const Pose2& start)
 
 void GridSlam::add(const Measurement& measurement, std::span<const float> beam_weights) {
   if (const auto* odometry = std::get_if<Odometry>(&measurement)) {
-    front_end_.add(diagnostics_.without_jumps(*odometry));
+    diagnostics_.odometry(*odometry);
+    front_end_.add(*odometry);
   }
   const auto* scan = std::get_if<LaserScan>(&measurement);
   if (scan != nullptr && lasers_.take(*scan)) {
@@ -43,7 +44,8 @@ void GridSlam::add_scan(const LaserScan& scan, std::span<const float> beam_weigh
   const std::vector<Eigen::Vector2d> hits = hit_points(scan, options_.points);
   const std::vector<bool> at_edge = front_end_.at_edge(scan, hits);
   const FrontEnd::Result condensed = front_end_.add(scan, beam_weights);
-  diagnostics_.scan(scan.time, condensed.step, hits.size() >= kMinHits);
+  // A laser that told nothing new is not blind.
+  diagnostics_.scan(scan.time, condensed.step, hits.size() >= kMinHits || scan.ranges.empty());
   if (condensed.update) update(scan, beam_weights, at_edge, *condensed.update);
   if (!options_.refinement.enabled) return;
   KeptHits& kept = hits_.emplace_back();

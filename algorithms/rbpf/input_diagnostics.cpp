@@ -2,51 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 
 namespace mapbed {
-namespace {
 
-constexpr std::size_t kTold = 3;        // intervals of one kind; more are summed up
-constexpr double kLeastSeconds = 0.25;  // between readings: stamps may be that far off
-
-}  // namespace
-
-void TimeIntervals::tell(double time, bool holds) {
-  if (holds && !holds_) all_.push_back({time, time});
-  if (holds) all_.back().to = time;
-  holds_ = holds;
-}
-
-TimeIntervals TimeIntervals::without(const std::function<bool(double)>& left_out) const {
-  TimeIntervals rest;
-  std::copy_if(all_.begin(), all_.end(), std::back_inserter(rest.all_),
-               [&](const TimeInterval& interval) { return !left_out(interval.from); });
-  return rest;
-}
-
-Odometry InputDiagnostics::without_jumps(const Odometry& odometry) {
-  if (!started_) start_ = odometry.time;
+void InputDiagnostics::odometry(const Odometry& reading) {
+  if (!started_) start_ = reading.time;
   started_ = true;
-  if (!last_) {
-    passed_ = odometry.odometry_from_robot;
-  } else {
-    const Pose2 step = motion_between(last_->odometry_from_robot, odometry.odometry_from_robot);
-    const double seconds = std::max(kLeastSeconds, odometry.time - last_->time);
-    const double translation = std::hypot(step.x, step.y);
-    const bool jumped = translation > options_.max_speed * seconds ||
-                        std::abs(step.theta) > options_.max_turn_rate * seconds;
-    if (jumped) largest_jump_ = std::max(largest_jump_, translation);
-    jumps_.tell(odometry.time, jumped);
-    if (jumped) interruption_ = odometry.time;
-    if (!jumped) passed_ = passed_ * step;
-  }
-  last_ = odometry;
-  Odometry passed = odometry;
-  passed.odometry_from_robot = passed_;
-  return passed;
+  if (reading.motion_unknown) interruption_ = reading.time;
 }
 
 void InputDiagnostics::scan(double time, const std::optional<Pose2>& step, bool sees_anything) {
@@ -90,23 +54,14 @@ std::vector<Remark> InputDiagnostics::remarks() const {
   std::vector<Remark> result;
   const auto tell = [&](RemarkKind kind, const TimeIntervals& intervals, const std::string& what,
                         const std::string& then) {
-    const std::vector<TimeInterval>& all = intervals.all();
-    for (std::size_t i = 0; i < std::min(kTold, all.size()); ++i) {
-      result.push_back({kind,
-                        fmt::format("{} from {:.1f} s to {:.1f} s after the start{}", what,
-                                    all[i].from - start_, all[i].to - start_, then),
-                        all[i]});
+    for (Remark& remark : remarks_on(intervals, kind, start_, what, then)) {
+      result.push_back(std::move(remark));
     }
-    if (all.size() <= kTold) return;
-    result.push_back({kind, fmt::format("{}: {} times in all", what, all.size()),
-                      TimeInterval{all[kTold].from, all.back().to}});
   };
   tell(RemarkKind::no_odometry, no_odometry_, "no odometry",
        scans_are_matched_ ? ": scans alone say how the robot moves"
                           : ": taken as standing still, as scans are not matched with proposal "
                             "'odometry'");
-  tell(RemarkKind::odometry_jump, jumps_, "odometry jumps",
-       fmt::format(" (by up to {:.1f} m): taken as standing still", largest_jump_));
   tell(RemarkKind::no_scan, pauses_, "no scan", "");
   tell(RemarkKind::blind_laser, blind_, "the laser sees nothing",
        ": odometry alone says where the robot is");

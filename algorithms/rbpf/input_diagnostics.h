@@ -1,9 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "algorithms/input/time_intervals.h"
 #include "algorithms/remark.h"
 #include "core/config/option.h"
 #include "core/sensor/odometry.h"
@@ -13,35 +13,17 @@ namespace mapbed {
 
 // When a filter says that its input or itself failed.
 struct InputDiagnosticsOptions {
-  double max_speed = 10.0;      // [m/s] odometry that goes faster has jumped
-  double max_turn_rate = 10.0;  // [rad/s] the same
-  double max_pause = 5.0;       // [s] between scans, where the robot did not just stand still
-  double standing = 1.5;        // [m], [rad] up to which it did
-  double lost_below = 0.2;      // of an update's scan that the best particle's map explains
+  double max_pause = 5.0;   // [s] between scans, where the robot did not just stand still
+  double standing = 1.5;    // [m], [rad] up to which it did
+  double lost_below = 0.2;  // of an update's scan that the best particle's map explains
 };
 
 template <class Visitor>
 void visit_fields(InputDiagnosticsOptions& o, Visitor&& visit) {
-  visit("max_speed", o.max_speed, Unit::meter_per_second, kPositive,
-        "odometry that goes faster has jumped: that step counts as standing still");
-  visit("max_turn_rate", o.max_turn_rate, Unit::radian_per_second, kPositive,
-        "odometry that turns faster has jumped");
   visit("max_pause", o.max_pause, Unit::second, kPositive, "longer ones between scans are told");
   visit("lost_below", o.lost_below, kFraction,
         "fraction of an update's scan that the best map explains where the robot is lost, at most");
 }
-
-// When something held, told scan by scan.
-class TimeIntervals {
- public:
-  void tell(double time, bool holds);
-  const std::vector<TimeInterval>& all() const { return all_; }
-  TimeIntervals without(const std::function<bool(double)>& left_out) const;  // by where they begin
-
- private:
-  std::vector<TimeInterval> all_;
-  bool holds_ = false;
-};
 
 // Collects what the user should know of a run. Lost is a robot that sees next to nothing of what
 // the best particle's map holds: also where it drives into the unknown, a part of each scan still
@@ -54,8 +36,7 @@ class InputDiagnostics {
   explicit InputDiagnostics(const InputDiagnosticsOptions& options, bool scans_are_matched = true)
       : options_(options), scans_are_matched_(scans_are_matched) {}
 
-  // The reading as the filter should see it: without the jumps.
-  Odometry without_jumps(const Odometry& odometry);
+  void odometry(const Odometry& reading);
   // `step` by odometry since the scan before, if there is any.
   void scan(double time, const std::optional<Pose2>& step, bool sees_anything);
   // Of a scan that sees: how much of it the best particle's map explains, and whether the robot may
@@ -63,8 +44,9 @@ class InputDiagnostics {
   void update(double time, double inlier_ratio, bool possible = true);
   bool loses(double inlier_ratio) const { return inlier_ratio < options_.lost_below; }
 
-  // [s] of something after which the robot may be anywhere, since the last update: a jump of
-  // odometry, or a pause or a laser that saw nothing without odometry to bridge it.
+  // [s] of something after which the robot may be anywhere, since the last update: motion
+  // that odometry does not know, or a pause or a laser that saw nothing without odometry to bridge
+  // it.
   std::optional<double> interruption() const { return interruption_; }
   // Where the map of before `since` shows the robot at `time`.
   void relocalized(double since, double time) { relocalized_.push_back({since, time}); }
@@ -79,16 +61,13 @@ class InputDiagnostics {
   bool scans_are_matched_;
   double start_ = 0.0;
   bool started_ = false;
-  std::optional<Odometry> last_;        // as it came
-  Pose2 passed_;                        // as it was passed on
   std::optional<double> last_scan_;     // [s] of the newest one
   std::optional<double> interruption_;  // [s]
   struct Relocalized {
     double since = 0.0, time = 0.0;  // [s]
   };
   std::vector<Relocalized> relocalized_;
-  TimeIntervals no_odometry_, blind_, neither_, jumps_, pauses_, lost_;
-  double largest_jump_ = 0.0;  // [m]
+  TimeIntervals no_odometry_, blind_, neither_, pauses_, lost_;
 };
 
 }  // namespace mapbed

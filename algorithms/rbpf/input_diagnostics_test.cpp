@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/testing/remark_texts.h"
-#include "core/testing/is_near.h"
 
 namespace mapbed {
 namespace {
@@ -17,52 +16,22 @@ TEST(InputDiagnostics, SayNothingWhereAllIsWell) {
   InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
   for (int i = 0; i < 20; ++i) {
     const Odometry odometry{.time = 100.0 + i, .odometry_from_robot = {0.5 * i, 0.0, 0.0}};
-    EXPECT_THAT(diagnostics.without_jumps(odometry).odometry_from_robot,
-                IsNear(odometry.odometry_from_robot, Tolerance{1e-9, 1e-9}));
+    diagnostics.odometry(odometry);
     diagnostics.scan(odometry.time, Pose2{0.5, 0.0, 0.0}, true);
     diagnostics.update(odometry.time, 0.8);
   }
   EXPECT_THAT(texts_of(diagnostics.remarks()), IsEmpty());
 }
 
-TEST(InputDiagnostics, AJumpOfOdometryIsTakenOutAndTold) {
+TEST(InputDiagnostics, MotionThatOdometryDoesNotKnowInterruptsUntilTheNextUpdate) {
   InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
-  Pose2 passed;
-  for (int i = 0; i < 10; ++i) {
-    const double jump = i < 5 ? 0.0 : 7.0;
-    passed =
-        diagnostics
-            .without_jumps({.time = 10.0 + 0.1 * i, .odometry_from_robot = {0.05 * i, jump, 0.0}})
-            .odometry_from_robot;
-  }
-  // The step with the jump counts as standing still.
-  EXPECT_THAT(passed, IsNear(Pose2{8 * 0.05, 0.0, 0.0}, Tolerance{1e-9, 1e-9}));
-  EXPECT_THAT(texts_of(diagnostics.remarks()),
-              ElementsAre("odometry jumps from 0.5 s to 0.5 s after the start (by up to 7.0 m): "
-                          "taken as standing still"));
-}
-
-// Of steps of odometry of half a second each.
-bool jumps(const Pose2& step, const InputDiagnosticsOptions& options, double seconds = 0.5) {
-  InputDiagnostics diagnostics(options);
-  diagnostics.without_jumps({.time = 0.0});
-  diagnostics.without_jumps({.time = seconds, .odometry_from_robot = step});
-  return !diagnostics.remarks().empty();
-}
-
-TEST(InputDiagnostics, OdometryThatIsTooFastHasJumped) {
-  EXPECT_FALSE(jumps({0.9, 0.0, 0.0}, {.max_speed = 2.0}));
-  EXPECT_TRUE(jumps({0.8, 0.8, 0.0}, {.max_speed = 2.0}));
-}
-
-TEST(InputDiagnostics, OdometryThatTurnsTooFastHasJumped) {
-  EXPECT_FALSE(jumps({0.0, 0.0, -0.9}, {.max_turn_rate = 2.0}));
-  EXPECT_TRUE(jumps({0.0, 0.0, -1.1}, {.max_turn_rate = 2.0}));
-}
-
-// Stamps may be off, as where a driver hands out readings in bunches.
-TEST(InputDiagnostics, ReadingsWithNearlyTheSameStampHaveNotJumped) {
-  EXPECT_FALSE(jumps({0.2, 0.0, 0.1}, {.max_speed = 1.0, .max_turn_rate = 1.0}, 0.001));
+  diagnostics.odometry({.time = 10.0});
+  EXPECT_FALSE(diagnostics.interruption());
+  diagnostics.odometry({.time = 10.5, .motion_unknown = true});
+  diagnostics.odometry({.time = 11.0});
+  EXPECT_EQ(diagnostics.interruption(), 10.5);
+  diagnostics.update(11.0, 0.8);
+  EXPECT_FALSE(diagnostics.interruption());
 }
 
 TEST(InputDiagnostics, TheFirstScanHasNoStepAndMissesNone) {
@@ -130,15 +99,13 @@ TEST(InputDiagnostics, ARobotIsLostWhereTheMapExplainsNextToNothing) {
 TEST(InputDiagnostics, RemarksHaveTheirKindAndTheStampsOfTheLog) {
   InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
   for (int i = 0; i < 10; ++i) {
-    diagnostics.without_jumps({.time = 100.0 + i, .odometry_from_robot = {i < 4 ? 0.0 : 50.0}});
+    diagnostics.odometry({.time = 100.0 + i});
     diagnostics.scan(100.0 + i, Pose2{}, i != 7);
   }
   const std::vector<Remark> remarks = diagnostics.remarks();
-  ASSERT_EQ(remarks.size(), 2U);
-  EXPECT_EQ(remarks[0].kind, RemarkKind::odometry_jump);
-  EXPECT_EQ(remarks[0].when, (TimeInterval{104.0, 104.0}));
-  EXPECT_EQ(remarks[1].kind, RemarkKind::blind_laser);
-  EXPECT_EQ(remarks[1].when, (TimeInterval{107.0, 107.0}));
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_EQ(remarks[0].kind, RemarkKind::blind_laser);
+  EXPECT_EQ(remarks[0].when, (TimeInterval{107.0, 107.0}));
 }
 
 TEST(InputDiagnostics, ManyOfOneKindAreSummedUp) {

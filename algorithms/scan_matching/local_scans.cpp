@@ -8,7 +8,7 @@ LocalScans::LocalScans(const LocalMapOptions& local_map, const LikelihoodFieldOp
 
 void LocalScans::remember(const LaserScan& scan, const Pose2& map_from_robot) {
   const bool far = poses_.empty() || is_far_enough(poses_.back(), map_from_robot, options_);
-  if (!far) return;
+  if (!far || scan.ranges.empty()) return;
   poses_.push_back(map_from_robot);
   points_.push_back(transformed(
       surface_points(scan, max_range_, options_.max_gap, field_.resolution()), map_from_robot));

@@ -154,15 +154,16 @@ int map_log(const MapArguments& arguments) {
   const MapConfig config = map_config_from(settings, {.log = chosen.options});
   const std::string folder = folder_for(arguments);
   check_folder(folder);  // refused before the log is read
-  const RecordedLog log = while_told("reading", [&] { return load_log(chosen.path, config.log); });
+  RecordedLog log = while_told("reading", [&] { return load_log(chosen.path, config.log); });
   print_log(arguments.log, log, stopwatch.seconds());
+  const PreparedLog prepared = mapbed::prepared(std::move(log.measurements), config.input);
   const OutputFolder made(folder);
   const FolderLock lock(folder);
 
   const InterruptGuard interrupt;  // not before: there is nothing to keep while a log is read
   MapRun run = [&] {
-    Progress progress(config.method, log.measurements.size());
-    return make_map(log, config, [&](std::size_t done, std::size_t) {
+    Progress progress(config.method, prepared.log.size());
+    return make_map(prepared, config, [&](std::size_t done, std::size_t) {
       progress.advance_to(done);
       return !interrupt.was_interrupted();
     });

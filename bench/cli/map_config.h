@@ -4,6 +4,7 @@
 #include <string>
 
 #include "algorithms/grid/map_builder.h"
+#include "algorithms/input/input_stage.h"
 #include "algorithms/methods.h"
 #include "core/config/settings.h"
 #include "core/log/log_options.h"
@@ -16,6 +17,8 @@ namespace mapbed {
 //   seed: 1
 //   log:            # how the log is read
 //     max_range: 50 m
+//   input:          # what of it a method may believe
+//     odometry.max_speed: 3 m/s
 //   map:            # how the map is made of scans and poses
 //     resolution: 5 cm
 //   scan_matching:  # the method's own options, under its name
@@ -24,6 +27,7 @@ struct MapConfig {
   std::string method = "scan_matching";
   std::uint64_t seed = 1;
   LogOptions log = {};
+  InputOptions input = {};
   MapOptions map = {};
   ConfiguredMethod configured = {};  // what `method` and its settings come to
 };
@@ -33,6 +37,7 @@ void visit_fields(MapConfig& o, Visitor&& visit) {
   visit("method", o.method, "who finds the trajectory; 'mapbed list methods'");
   visit("seed", o.seed, "of all chance");
   visit("log", o.log, "how the log is read");
+  visit("input", o.input, "how what its sensors tell is prepared for methods");
   visit("map", o.map, "how the map is made of scans and poses");
 }
 

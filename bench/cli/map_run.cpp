@@ -100,29 +100,31 @@ OccupancyMap map_of(const SensorLog& log, const Trajectory& trajectory, const Ma
 
 }  // namespace
 
-MapRun make_map(const RecordedLog& log, const MapConfig& config,
+MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
                 const std::function<bool(std::size_t done, std::size_t total)>& may_go_on) {
-  check_size_of_first_scan(log.measurements, config.map);
+  const SensorLog& log = prepared.log;
+  check_size_of_first_scan(log, config.map);
   const auto estimator = config.configured.make({}, Rng(config.seed).stream(config.method));
   MapCost cost;
-  const std::size_t taken = feed(*estimator, log.measurements, cost, may_go_on);
+  const std::size_t taken = feed(*estimator, log, cost, may_go_on);
   estimator->finish();
   Estimate estimate = estimator->estimate();
+  estimate.remarks.insert(estimate.remarks.begin(), prepared.remarks.begin(),
+                          prepared.remarks.end());
 
   const Stopwatch mapping;
   const auto part_of_log = [&] {
-    const auto end = log.measurements.begin() + static_cast<std::ptrdiff_t>(taken);
-    return SensorLog(log.measurements.begin(), end);
+    return SensorLog(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(taken));
   };
-  const bool whole = taken == log.measurements.size();
-  OccupancyMap map = whole ? map_of(log.measurements, estimate.trajectory, config.map)
+  const bool whole = taken == log.size();
+  OccupancyMap map = whole ? map_of(log, estimate.trajectory, config.map)
                            : map_of(part_of_log(), estimate.trajectory, config.map);
   cost.mapping = mapping.seconds();
   cost.scans = static_cast<int>(estimate.trajectory.size());
   if (cost.scans > 0) {
     cost.seconds_recorded = estimate.trajectory.back().time - estimate.trajectory.front().time;
   }
-  return {config, std::move(estimate), std::move(map), count_scans(log.measurements), cost};
+  return {config, std::move(estimate), std::move(map), count_scans(log), cost};
 }
 
 void write_map_run(const std::string& folder, const std::string& log_name, const RecordedLog& log,

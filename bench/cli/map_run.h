@@ -5,6 +5,7 @@
 
 #include "algorithms/estimator.h"
 #include "algorithms/grid/occupancy_map.h"
+#include "algorithms/input/input_stage.h"
 #include "bench/cli/map_config.h"
 #include "core/log/log_file.h"
 
@@ -31,8 +32,9 @@ struct MapRun {
   bool complete() const { return static_cast<int>(estimate.trajectory.size()) == scans_in_log; }
 };
 
-// `may_go_on(done, total)` is asked after each measurement; false ends the run with what it has.
-MapRun make_map(const RecordedLog& log, const MapConfig& config,
+// Its remarks begin with those of the log. `may_go_on(done, total)` is asked after each
+// measurement; false ends the run with what it has.
+MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
                 const std::function<bool(std::size_t done, std::size_t total)>& may_go_on);
 
 // The folder's files, all of them or none; an older map's are there until then:

@@ -22,8 +22,8 @@ MapConfig config_of(const std::string& method) {
 
 TEST(MapRun, TakesInTheWholeLog) {
   const RecordedLog log = room_log();
-  const MapRun run =
-      make_map(log, config_of("odometry"), [](std::size_t, std::size_t) { return true; });
+  const MapRun run = make_map(prepared(log.measurements), config_of("odometry"),
+                              [](std::size_t, std::size_t) { return true; });
   EXPECT_TRUE(run.complete());
   EXPECT_EQ(run.estimate.trajectory.size(), log.true_poses.size());
   EXPECT_FALSE(known_box(run.map).empty());
@@ -31,9 +31,10 @@ TEST(MapRun, TakesInTheWholeLog) {
 
 TEST(MapRun, EndsWithWhatItHasWhenItMayNotGoOn) {
   const RecordedLog log = room_log();
-  const MapRun run = make_map(log, config_of("odometry"), [](std::size_t done, std::size_t) {
-    return done < 10;  // five pairs of odometry and scan
-  });
+  const MapRun run = make_map(prepared(log.measurements), config_of("odometry"),
+                              [](std::size_t done, std::size_t) {
+                                return done < 10;  // five pairs of odometry and scan
+                              });
   EXPECT_FALSE(run.complete());
   EXPECT_EQ(run.estimate.trajectory.size(), 5U);
   EXPECT_FALSE(known_box(run.map).empty());
@@ -45,7 +46,8 @@ TEST(MapRun, RefusesAMapThatCannotBeWrittenBeforeTheWorkIsDone) {
   config.map.resolution = 1e-4;
   int asked = 0;
   const auto count = [&](std::size_t, std::size_t) { return ++asked > 0; };
-  EXPECT_INPUT_ERROR(make_map(room_log(), config, count), "the map of the first scan alone is ");
+  EXPECT_INPUT_ERROR(make_map(prepared(room_log().measurements), config, count),
+                     "the map of the first scan alone is ");
   EXPECT_EQ(asked, 0);
 }
 
@@ -55,8 +57,8 @@ TEST(MapRun, WritesNothingOfALaserThatSeesNothing) {
     auto* scan = std::get_if<LaserScan>(&measurement);
     if (scan != nullptr) std::fill(scan->ranges.begin(), scan->ranges.end(), 0.0);
   }
-  const MapRun run =
-      make_map(log, config_of("rbpf"), [](std::size_t, std::size_t) { return true; });
+  const MapRun run = make_map(prepared(log.measurements), config_of("rbpf"),
+                              [](std::size_t, std::size_t) { return true; });
   const TemporaryFolder folder;
   EXPECT_INPUT_ERROR(write_map_run(folder.file("."), "blind.log", log, run),
                      "blind.log: no beam of any scan counts");

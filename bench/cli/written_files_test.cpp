@@ -177,7 +177,7 @@ TEST_F(WrittenFiles, OfAMap) {
                                             {"rbpf.particles", "2", {}},
                                             {"rbpf.odometry_errors", path("errors.yaml"), {}}});
   const auto always = [](std::size_t, std::size_t) { return true; };
-  write_map_run(path("m"), "room.log", log, make_map(log, config, always));
+  write_map_run(path("m"), "room.log", log, make_map(prepared(log.measurements), config, always));
   const auto is_config = [&](const std::string& name) {
     EXPECT_EQ(to_yaml(map_config_from(load_settings(name))), read_text_file(name));
   };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/input/input_stage.h"
 #include "bench/experiments/chosen_method.h"
 #include "bench/metrics/pairs.h"
 #include "bench/process/process_cost.h"
@@ -16,6 +17,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct LogFaultsOptions {
   std::string estimator = "scan_matching";
+  InputOptions input;
   double allowed_times = 2.0;
   double allowed_more = 0.05;  // [m]
   double told_within = 2.0;    // [s]
@@ -24,6 +26,7 @@ struct LogFaultsOptions {
 template <class Visitor>
 void visit_fields(LogFaultsOptions& o, Visitor&& visit) {
   visit("estimator", o.estimator, "who finds the trajectory; 'mapbed list methods'");
+  visit("input", o.input, "how what sensors tell is prepared for the method");
   visit("allowed_times", o.allowed_times, between(1.0, 1000.0),
         "the error of a robust method is at most this times that in the clean log");
   visit("allowed_more", o.allowed_more, Unit::meter, kNotNegative, "and so much more");
@@ -36,6 +39,7 @@ struct Setup {
   ConfiguredMethod method;
   ConfiguredMethod odometry;
   std::string method_yaml;
+  std::string clean_yaml;  // what decides what is made of a log
 };
 
 Setup setup_of(const Settings& settings) {
@@ -45,6 +49,7 @@ Setup setup_of(const Settings& settings) {
   setup.method = chosen_method(setup.options.estimator, divided);
   setup.odometry = chosen_method("odometry", divided);
   setup.method_yaml = method_yaml(setup.options.estimator, setup.method);
+  setup.clean_yaml = to_yaml(options_of(setup.options.input)) + setup.method_yaml;
   return setup;
 }
 
@@ -53,6 +58,16 @@ Estimate estimate_of(const ConfiguredMethod& method, const SensorLog& log, const
   for (const Measurement& measurement : log) estimator->add(measurement);
   estimator->finish();
   return estimator->estimate();
+}
+
+// The same of the log as it is prepared for methods, with what is remarked on then.
+Estimate prepared_estimate_of(const Setup& setup, const SensorLog& log, const Rng& rng) {
+  PreparedLog prepared = mapbed::prepared(log, setup.options.input);
+  Estimate estimate = estimate_of(setup.method, prepared.log, rng);
+  estimate.remarks.insert(estimate.remarks.begin(),
+                          std::make_move_iterator(prepared.remarks.begin()),
+                          std::make_move_iterator(prepared.remarks.end()));
+  return estimate;
 }
 
 // What a method makes of the log without faults.
@@ -79,7 +94,7 @@ const SensorLog& clean_log_of(const RunInput& input) {
 
 CleanRun clean_run(const Setup& setup, const RunInput& input) {
   CleanRun clean;
-  clean.estimate = estimate_of(setup.method, clean_log_of(input), input.rng.stream("estimator"));
+  clean.estimate = prepared_estimate_of(setup, clean_log_of(input), input.rng.stream("estimator"));
   if (!input.relations) {
     clean.relations.relations = input.pairs ? input.pairs() : pairs_of(clean.estimate.trajectory);
   }
@@ -108,13 +123,13 @@ bool tells(const Remark& remark, const FaultInLog& fault, double within) {
 
 RunOutcome run(const Setup& setup, const RunInput& input) {
   const LogFaultsOptions& options = setup.options;
-  const std::string key = std::to_string(Rng(input.rng).bits()) + "\n" + setup.method_yaml;
+  const std::string key = std::to_string(Rng(input.rng).bits()) + "\n" + setup.clean_yaml;
   const auto& clean = input.shared->once<CleanRun>(key, [&] { return clean_run(setup, input); });
   const bool is_clean = input.faults.empty();
   const double start = processor_time();
   const Estimate estimate =
       is_clean ? clean.estimate
-               : estimate_of(setup.method, input.log, input.rng.stream("estimator"));
+               : prepared_estimate_of(setup, input.log, input.rng.stream("estimator"));
   const double seconds = processor_time() - start;
 
   const MeasuredRelations& relations = relations_of(input, clean);

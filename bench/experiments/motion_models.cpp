@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/input/input_stage.h"
 #include "algorithms/motion/motion_learning.h"
 #include "algorithms/rbpf/grid_slam.h"
 #include "bench/experiments/motion_clouds.h"
@@ -22,6 +23,7 @@ struct MotionModelsExperiment {
   std::string odometry_file;
   std::string matching_file;
   double longest = 0.0;  // [s]
+  InputOptions input;
   // Its motions alone count, not where they lead to.
   GridSlamOptions filter{
       .particles = 1, .proposal = Proposal::scan_matching, .relocalization = {.max_updates = 0}};
@@ -36,6 +38,7 @@ void visit_fields(MotionModelsExperiment& o, Visitor&& visit) {
   visit("matching_file", o.matching_file, "parameters of scan matching that are checked as well");
   visit("longest", o.longest, Unit::second, kNotNegative,
         "of the log, what comes later is left out; 0: all of it counts");
+  visit("input", o.input, "how what sensors tell is prepared for the filters");
   visit("filter", o.filter, "how scans are matched and condensed; the particle filter's options");
   visit("reference", o.reference,
         "the particle filter whose path stands for the true one where nobody knows that");
@@ -176,7 +179,8 @@ Comparison compared(const Motions& held_out, const MotionModelOptions& odometry,
 
 RunOutcome run(const Setup& setup, const RunInput& whole_input) {
   const MotionModelsExperiment& options = setup.options;
-  const RunInput input = shortened(whole_input, options.longest);
+  RunInput input = shortened(whole_input, options.longest);
+  input.log = prepared(std::move(input.log), options.input).log;
   const Motions motions = motions_of(options, input);
   RunOutcome outcome;
   outcome.values.emplace_back("motions", static_cast<double>(motions.odometry.size()));

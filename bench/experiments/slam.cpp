@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithms/input/input_stage.h"
 #include "bench/experiments/chosen_method.h"
 #include "bench/experiments/particle_figures.h"
 #include "bench/experiments/slam_evaluator.h"
@@ -18,6 +19,7 @@ namespace {
 
 struct SlamOptions {
   std::string estimator = "scan_matching";
+  InputOptions input;
   double longest = 0.0;           // [s]
   std::vector<double> snapshots;  // [s]
   double series_step = 10.0;      // [s]
@@ -27,6 +29,7 @@ struct SlamOptions {
 template <class Visitor>
 void visit_fields(SlamOptions& o, Visitor&& visit) {
   visit("estimator", o.estimator, "who finds the trajectory; 'mapbed list methods'");
+  visit("input", o.input, "how what sensors tell is prepared for the method");
   visit("longest", o.longest, Unit::second, kNotNegative,
         "of the log, what comes later is left out; 0: all of it counts");
   visit("snapshots", o.snapshots, Unit::second, kNotNegative,
@@ -105,7 +108,8 @@ Watched add_log(const SlamOptions& options, const RunInput& input, Estimator& es
 }
 
 RunOutcome run(const Setup& setup, const RunInput& whole_input) {
-  const RunInput input = shortened(whole_input, setup.options.longest);
+  RunInput input = shortened(whole_input, setup.options.longest);
+  input.log = prepared(std::move(input.log), setup.options.input).log;
   const auto estimator = setup.method.make({}, input.rng.stream("estimator"));
   RunOutcome outcome;
   const double start = processor_time();

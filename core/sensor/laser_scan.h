@@ -16,7 +16,8 @@ struct LaserScan {
   double beam_period = 0.0;        // [s] from one beam to the next, negative where the last comes
                                    // first; 0: all at once, or nobody knows
   double max_range = 0.0;          // [m] a range of max_range or more means: nothing was hit
-  std::vector<double> ranges;      // [m] 0 or less: the beam failed and says nothing at all
+  std::vector<double> ranges;      // [m] 0 or less: the beam failed and says nothing at all; none
+                                   // where the laser told nothing new, but was there
   std::vector<double> remissions;  // reflected intensity as the log has it; empty where it has none
 
   double bearing(std::size_t beam) const {

@@ -10,6 +10,8 @@ struct Odometry {
   Pose2 odometry_from_robot;
   double forward_velocity = 0.0;  // [m/s] 0 where the log has none
   double turn_velocity = 0.0;     // [rad/s] 0 where the log has none
+  // The pose goes on from the reading before by guess: nobody knows how the robot moved between.
+  bool motion_unknown = false;
 };
 
 }  // namespace mapbed

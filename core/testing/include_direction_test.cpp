@@ -43,6 +43,7 @@ using Levels = std::vector<Folders>;
 const std::map<std::string, std::vector<Levels>> kInnerOrder = {
     {"algorithms",
      {{{"scan", "motion", "particles"},
+       {"input"},
        {"grid"},
        {"field"},
        {"scan_matching"},

@@ -1,13 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <variant>
 
+#include "algorithms/input/input_stage.h"
 #include "algorithms/rbpf/grid_slam.h"
 #include "algorithms/testing/furnished_room.h"
 #include "core/testing/test_room.h"
 
-// Logs of drives for the tests of the particle filter, and what it makes of them.
+// Logs of drives for the tests of the particle filter, and what it makes of them, prepared.
 
 namespace mapbed {
 
@@ -47,7 +49,12 @@ inline GridSlam filter_after(const RecordedLog& log, const GridSlamOptions& opti
 }
 
 inline Estimate run(const RecordedLog& log, const GridSlamOptions& options) {
-  return filter_after(log, options).estimate();
+  PreparedLog prepared = mapbed::prepared(log.measurements);
+  GridSlam slam(options, Rng(1));
+  for (const Measurement& measurement : prepared.log) slam.add(measurement);
+  Estimate estimate = slam.estimate();
+  for (Remark& remark : prepared.remarks) estimate.remarks.push_back(std::move(remark));
+  return estimate;
 }
 
 // Of the last pose, both paths beginning at the same one [m].

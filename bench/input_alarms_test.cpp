@@ -1,0 +1,52 @@
+// What is in order is neither changed nor remarked on by the stage in front of all methods: on
+// public logs (skipped where MAPBED_DATA does not name the folder that holds them) and on drives
+// through simulated worlds.
+
+#include <cstdlib>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "algorithms/input/input_stage.h"
+#include "algorithms/testing/remark_texts.h"
+#include "core/data_path.h"
+#include "core/log/log_description.h"
+
+namespace mapbed {
+namespace {
+
+bool are_same(const Measurement& a, const Measurement& b) {
+  if (a.index() != b.index() || time_of(a) != time_of(b)) return false;
+  if (const auto* odometry = std::get_if<Odometry>(&a)) {
+    const auto& other = std::get<Odometry>(b);
+    return odometry->odometry_from_robot == other.odometry_from_robot && !other.motion_unknown;
+  }
+  return std::get<LaserScan>(a).ranges == std::get<LaserScan>(b).ranges;
+}
+
+class CleanRecordedLog : public ::testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    const char* const folder = std::getenv("MAPBED_DATA");
+    if (folder == nullptr || *folder == '\0') GTEST_SKIP() << "MAPBED_DATA is not set";
+  }
+};
+
+TEST_P(CleanRecordedLog, IsNotChangedNorRemarkedOn) {
+  const SensorLog log =
+      open_log(find_data_file("log", "scenarios/logs", GetParam()).string()).measurements;
+  const PreparedLog ready = prepared(log);
+  EXPECT_THAT(texts_of(ready.remarks), ::testing::IsEmpty());
+  ASSERT_EQ(ready.log.size(), log.size());
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < log.size(); ++i) changed += are_same(log[i], ready.log[i]) ? 0 : 1;
+  EXPECT_EQ(changed, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(InputStage, CleanRecordedLog,
+                         ::testing::Values("intel", "intel_910", "fr079", "aces", "freiburg_101",
+                                           "seattle"));
+
+}  // namespace
+}  // namespace mapbed
