@@ -25,7 +25,11 @@ constexpr char kMatchersOwn[] = "try such values with the method scan_matching, 
 constexpr char kFoundOnce[] = "its value was found once and is the same for all; leave it out";
 constexpr char kGrows[] =
     "errors grow with the root of the motion and of time: set 'motion.odometry' and 'motion.slip'";
+constexpr char kForAllMethods[] =
+    "'input.odometry' holds it for all methods: input.odometry.max_speed, .max_turn_rate";
 constexpr FixedOption kFixed[] = {
+    {"input_diagnostics.max_speed", kForAllMethods},
+    {"input_diagnostics.max_turn_rate", kForAllMethods},
     {"matcher.search_below", kMatchersOwn},
     {"matcher.points", kMatchersOwn},
     {"matcher.field", kMatchersOwn},
