@@ -62,6 +62,9 @@ std::vector<IncrementalMatcher::OtherPrediction> IncrementalMatcher::other_predi
   for (const PosePrior& prior : late) {
     others.push_back({prior, going_on.log_at(prior.mean) > going_on.log_at(step)});
   }
+  const bool is_odd = std::any_of(others.begin(), others.end(),
+                                  [](const OtherPrediction& other) { return other.is_likelier; });
+  if (!is_odd && !by_step_is_doubtful) return {};
   others.push_back({going_on, false});
   const double seconds = time - trajectory_.back().time;
   others.push_back({predict_blindly(map_from_robot_, {}, seconds, options_.motion), false});
@@ -94,7 +97,7 @@ ScanMatch IncrementalMatcher::best_of(const Hits& hits, const ScanMatch& by_step
   const double by_step_explained = explained(by_step);
   double most = 0.0;
   for (const OtherPrediction& other : others) {
-    ScanMatch match = matched(hits, {other.prior});
+    ScanMatch match = matched_near(hits, {other.prior});
     const double share = explained(match);
     const double to_beat = by_step_explained + (other.is_likelier ? -kAsMuch : kClearlyMore);
     const bool convincing = match.trustworthy && match.inlier_ratio >= options_.search_below;
@@ -140,12 +143,15 @@ PosePrior IncrementalMatcher::going_on(double time) const {
 
 // At the prediction where nothing there is to be trusted.
 ScanMatch IncrementalMatcher::matched(const Hits& hits, const Prediction& prediction) {
-  ScanMatch match = aligned(hits, prediction);
+  ScanMatch match = matched_near(hits, prediction);
+  if (!match.trustworthy && match.points_used > 0 && options_.alignment != Alignment::icp) {
+    match = searched_widely(hits, prediction, match);
+  }
   if (!match.trustworthy) match.map_from_robot = prediction.prior.mean;
   return match;
 }
 
-ScanMatch IncrementalMatcher::aligned(const Hits& hits, const Prediction& prediction) {
+ScanMatch IncrementalMatcher::matched_near(const Hits& hits, const Prediction& prediction) {
   const PosePrior& prior = prediction.prior;
   const ScanMatch none{.map_from_robot = prior.mean};
   if (hits.points.size() < kMinPoints || local_scans_.empty()) return none;
@@ -172,7 +178,7 @@ ScanMatch IncrementalMatcher::aligned(const Hits& hits, const Prediction& predic
                        searched.inlier_ratio >= match.inlier_ratio + kClearlyMore;
   const bool better = searched.log_posterior > match.log_posterior && clearly;
   if (match.points_used == 0 || better) match = searched;
-  return match.trustworthy ? match : searched_widely(points, match);
+  return match;
 }
 
 IncrementalMatcher::Hits IncrementalMatcher::known(const Hits& hits, const Pose2& predicted) const {
@@ -188,9 +194,11 @@ IncrementalMatcher::Hits IncrementalMatcher::known(const Hits& hits, const Pose2
 }
 
 // The best match of the wider search if it explains enough, else `match`.
-ScanMatch IncrementalMatcher::searched_widely(const FieldPoints& points,
+ScanMatch IncrementalMatcher::searched_widely(const Hits& hits, const Prediction& prediction,
                                               const ScanMatch& match) const {
   const LikelihoodField& field = local_scans_.field();
+  const Hits known = this->known(hits, prediction.prior.mean);
+  const FieldPoints points = to_field_points(known.points, field.resolution(), known.weights);
   const PosePrior anywhere{.mean = match.map_from_robot};
   const BoundPyramid wide = make_bound_pyramid(field, options_.wide_search.window);
   const ScanMatch found = match_correlative(points, field, wide, anywhere, options_.wide_search);

@@ -70,11 +70,12 @@ class IncrementalMatcher : public Estimator {
   std::vector<OtherPrediction> other_predictions(double time, bool by_step_is_doubtful) const;
   PosePrior going_on(double time) const;
   ScanMatch matched(const Hits& hits, const Prediction& prediction);
-  ScanMatch aligned(const Hits& hits, const Prediction& prediction);
+  ScanMatch matched_near(const Hits& hits, const Prediction& prediction);
   Hits known(const Hits& hits, const Pose2& predicted) const;
   ScanMatch best_of(const Hits& hits, const ScanMatch& by_step,
                     const std::vector<OtherPrediction>& others);
-  ScanMatch searched_widely(const FieldPoints& points, const ScanMatch& match) const;
+  ScanMatch searched_widely(const Hits& hits, const Prediction& prediction,
+                            const ScanMatch& match) const;
 
   IncrementalMatcherOptions options_;
   LevelLasers lasers_;
