@@ -59,6 +59,9 @@ class FrontEnd {
   const std::vector<Track::Scan>& scans() const { return scans_; }
   const std::vector<Update>& updates() const { return updates_; }
   // Scans that fitted nowhere or, where scans are not matched, had no odometry.
+  std::vector<Remark> remarks_on_unknown_motion() const {
+    return matcher_.remarks_on_unknown_motion();
+  }
   int untrusted_scans() const { return matcher_.untrusted_scans() + unmoved_scans_; }
 
  private:

@@ -271,6 +271,9 @@ Estimate GridSlam::estimate() const {
   result.lost = diagnostics_.lost();
   result.remarks = lasers_.remarks();
   for (Remark& remark : diagnostics_.remarks()) result.remarks.push_back(std::move(remark));
+  for (Remark& remark : front_end_.remarks_on_unknown_motion()) {
+    result.remarks.push_back(std::move(remark));
+  }
   const auto resamplings = std::count_if(updates_.begin(), updates_.end(),
                                          [](const Diversity& u) { return u.resampled; });
   result.remarks.push_back(

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include <Eigen/Dense>
 
 #include "algorithms/scan/beam_weights.h"
+#include "algorithms/scan_matching/match_covariance.h"
 #include "core/check.h"
 #include "core/geometry/angle.h"
 
@@ -31,10 +35,20 @@ void IncrementalMatcher::add(const Measurement& measurement, std::span<const flo
 }
 
 Estimate IncrementalMatcher::estimate() const {
-  return {.trajectory = trajectory_,
-          .lost = {},
-          .untrusted_scans = untrusted_scans_,
-          .remarks = lasers_.remarks()};
+  Estimate result{.trajectory = trajectory_,
+                  .lost = diagnostics_.lost(),
+                  .untrusted_scans = untrusted_scans_,
+                  .remarks = lasers_.remarks()};
+  if (trajectory_.empty()) return result;
+  for (Remark& remark : diagnostics_.remarks(trajectory_.front().time)) {
+    result.remarks.push_back(std::move(remark));
+  }
+  return result;
+}
+
+std::vector<Remark> IncrementalMatcher::remarks_on_unknown_motion() const {
+  if (trajectory_.empty()) return {};
+  return diagnostics_.remarks_on_unknown_motion(trajectory_.front().time);
 }
 
 std::optional<Pose2> IncrementalMatcher::odometry_at(double time) const {
@@ -109,12 +123,29 @@ ScanMatch IncrementalMatcher::best_of(const Hits& hits, const ScanMatch& by_step
   return best;
 }
 
+// [m] of the position of the newest match by the scan alone, in the worst direction; none where
+// odometry knows better.
+std::optional<double> IncrementalMatcher::sigma_of(const LaserScan& scan) const {
+  const bool blind = !odometry_at(scan.time) || !odometry_at_last_scan_;
+  if (!blind || !last_match_.trustworthy) return {};
+  const Pose2& pose = last_match_.map_from_robot;
+  const Hits hits =
+      known({hit_points(scan, options_.points), {}, scan.robot_from_laser.planar}, pose);
+  const LikelihoodField& field = local_scans_.field();
+  const Eigen::Matrix3d covariance = match_covariance(
+      pose, to_field_points(hits.points, field.resolution()), field, {.mean = pose});
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
+      Eigen::Matrix2d(covariance.topLeftCorner<2, 2>()));
+  return std::sqrt(axes.eigenvalues().maxCoeff());
+}
+
 void IncrementalMatcher::add_scan(const LaserScan& scan, std::span<const float> beam_weights) {
   if (!trajectory_.empty()) {
     CHECK(scan.time >= trajectory_.back().time);
     last_match_ = match(scan, beam_weights);
     map_from_robot_ = last_match_.map_from_robot;
     if (!last_match_.trustworthy) ++untrusted_scans_;
+    diagnostics_.scan(scan.time, last_match_, last_match_.points_used > 0, sigma_of(scan));
   }
   odometry_at_last_scan_ = odometry_at(scan.time);
   trajectory_.push_back({scan.time, map_from_robot_});

@@ -9,6 +9,7 @@
 #include "algorithms/scan/level_lasers.h"
 #include "algorithms/scan_matching/incremental_matcher_options.h"
 #include "algorithms/scan_matching/local_scans.h"
+#include "algorithms/scan_matching/matching_diagnostics.h"
 #include "algorithms/scan_matching/scan_matcher.h"
 
 namespace mapbed {
@@ -33,6 +34,7 @@ class IncrementalMatcher : public Estimator {
   Estimate estimate() const override;
 
   int untrusted_scans() const { return untrusted_scans_; }
+  std::vector<Remark> remarks_on_unknown_motion() const;
 
   // Where a scan would be put; it is not remembered.
   ScanMatch match(const LaserScan& scan, std::span<const float> beam_weights = {});
@@ -64,6 +66,7 @@ class IncrementalMatcher : public Estimator {
     std::vector<float> weights;           // empty: all count fully
     Pose2 robot_from_laser;
   };
+  std::optional<double> sigma_of(const LaserScan& scan) const;
   void add_scan(const LaserScan& scan, std::span<const float> beam_weights);
   std::optional<Pose2> odometry_at(double time) const;
   Prediction predicted(double time) const;
@@ -84,6 +87,7 @@ class IncrementalMatcher : public Estimator {
   ScanMatch last_match_;
   Trajectory trajectory_;
   int untrusted_scans_ = 0;
+  MatchingDiagnostics diagnostics_;
   std::optional<Pose2> odometry_at_last_scan_;
   RecentMotion recent_;
   LocalScans local_scans_;

@@ -62,6 +62,21 @@ TEST(IncrementalMatcher, KeepsTheLengthOfABareCorridor) {
   EXPECT_NEAR(length(run(log, {})), length(odometry.estimate()), 0.4);  // 1 %
 }
 
+// Without odometry nothing tells how far the robot came, and it says so; not where posts do.
+TEST(IncrementalMatcher, TellsThatItDoesNotKnowTheWayAlongABareCorridor) {
+  const auto told = [](const TestRoom& room) {
+    const Estimate estimate =
+        run(drive_through(room, {{-4, 0}, {4, 0}}, {}, Rng(7)), {.use_odometry = false});
+    return std::any_of(estimate.remarks.begin(), estimate.remarks.end(), [](const Remark& remark) {
+      return remark.kind == RemarkKind::unknown_motion;
+    });
+  };
+  TestRoom with_posts = corridor(60.0);
+  for (int i = -8; i <= 8; ++i) with_posts.add_box({1.5 * i, i % 2 == 0 ? 0.9 : -0.9}, 0.2, 0.2);
+  EXPECT_TRUE(told(corridor(60.0)));
+  EXPECT_FALSE(told(with_posts));
+}
+
 // Odometry stands still for a second while the robot turns by 90 degrees in a room that looks alike
 // from there, and then tells the whole turn at once.
 TEST(IncrementalMatcher, IsNotTurnedTwiceByOdometryThatStandsStillAndCatchesUp) {
