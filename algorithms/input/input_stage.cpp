@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "algorithms/input/odometry_comparison.h"
+
 namespace mapbed {
 
 InputFindings findings_in(const SensorLog& log, const InputOptions&) {
@@ -43,6 +45,14 @@ PreparedLog prepared(SensorLog log, const InputOptions& options) {
   }
   result.remarks = stage.remarks();
   return result;
+}
+
+void add_remarks_on_input(const PreparedLog& prepared, Estimate& estimate) {
+  estimate.remarks.insert(estimate.remarks.begin(), prepared.remarks.begin(),
+                          prepared.remarks.end());
+  for (Remark& remark : remarks_on_odometry(prepared.log, estimate.trajectory)) {
+    estimate.remarks.push_back(std::move(remark));
+  }
 }
 
 }  // namespace mapbed

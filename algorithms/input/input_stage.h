@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/estimator.h"
 #include "algorithms/input/odometry_check.h"
 #include "algorithms/input/repeated_scans.h"
 #include "algorithms/remark.h"
@@ -53,5 +54,9 @@ struct PreparedLog {
 // A whole log through the stage, with what it finds in it. Method, map builder and metrics that
 // pair poses with scans need the same one.
 PreparedLog prepared(SensorLog log, const InputOptions& options = {});
+
+// What the stage said, before the method's own remarks, and behind them what the whole estimate
+// shows of the log's odometry.
+void add_remarks_on_input(const PreparedLog& prepared, Estimate& estimate);
 
 }  // namespace mapbed

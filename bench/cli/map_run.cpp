@@ -109,8 +109,7 @@ MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
   const std::size_t taken = feed(*estimator, log, cost, may_go_on);
   estimator->finish();
   Estimate estimate = estimator->estimate();
-  estimate.remarks.insert(estimate.remarks.begin(), prepared.remarks.begin(),
-                          prepared.remarks.end());
+  add_remarks_on_input(prepared, estimate);
 
   const Stopwatch mapping;
   const auto part_of_log = [&] {

@@ -62,11 +62,9 @@ Estimate estimate_of(const ConfiguredMethod& method, const SensorLog& log, const
 
 // The same of the log as it is prepared for methods, with what is remarked on then.
 Estimate prepared_estimate_of(const Setup& setup, const SensorLog& log, const Rng& rng) {
-  PreparedLog prepared = mapbed::prepared(log, setup.options.input);
+  const PreparedLog prepared = mapbed::prepared(log, setup.options.input);
   Estimate estimate = estimate_of(setup.method, prepared.log, rng);
-  estimate.remarks.insert(estimate.remarks.begin(),
-                          std::make_move_iterator(prepared.remarks.begin()),
-                          std::make_move_iterator(prepared.remarks.end()));
+  add_remarks_on_input(prepared, estimate);
   return estimate;
 }
 
