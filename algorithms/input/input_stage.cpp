@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "algorithms/input/odometry_comparison.h"
+#include "algorithms/input/odometry_lag.h"
 
 namespace mapbed {
 
@@ -35,8 +36,10 @@ std::vector<Remark> InputStage::remarks() const {
 }
 
 PreparedLog prepared(SensorLog log, const InputOptions& options) {
-  InputStage stage(options, findings_in(log, options));
   PreparedLog result;
+  const std::optional<double> lag = odometry_lag(log);
+  if (lag) log = without_lag(std::move(log), *lag);
+  InputStage stage(options, findings_in(log, options));
   result.log.reserve(log.size());
   for (Measurement& measurement : log) {
     for (Measurement& ready : stage.add(std::move(measurement))) {
@@ -44,6 +47,7 @@ PreparedLog prepared(SensorLog log, const InputOptions& options) {
     }
   }
   result.remarks = stage.remarks();
+  if (lag) result.remarks.push_back(remark_on_lag(*lag));
   return result;
 }
 

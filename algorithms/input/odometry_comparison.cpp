@@ -16,7 +16,8 @@ namespace {
 constexpr double kLongestGap = 1.5;  // [s] between readings that tell what was between them
 // What odometry is taken to be worth, MotionPriorOptions: a robot that nobody calibrated.
 constexpr double kUsualScale = 0.1;
-constexpr double kUsualTurn = 0.07;  // [rad/m]
+constexpr double kUsualTurn = 0.07;           // [rad/m]
+constexpr double kUsualMount = radians(2.0);  // the heading of a laser that somebody mounted by eye
 
 // Odometry as it was told, to be asked at any stamp.
 class Told {
@@ -177,10 +178,12 @@ TimeIntervals slips_in(const std::vector<Step>& steps, const std::vector<Silence
 
 // --- errors of all steps
 
-// Of pieces of straight way: how much longer odometry tells them, and how much it turns on them.
+// Of pieces of straight way: how much longer odometry tells them, how much it turns on them, and
+// how far from its direction the scans have them.
 struct Straight {
   std::vector<double> ratios;           // of what was told to what was matched
   std::vector<double> turns_per_meter;  // [rad/m]
+  std::vector<double> askew;            // [rad] of the way that was matched to that which was told
 };
 
 Straight straight_pieces(const std::vector<Step>& steps) {
@@ -201,6 +204,10 @@ Straight straight_pieces(const std::vector<Step>& steps) {
     }
     if (length < kPiece) continue;
     pieces.ratios.push_back(told_length / length);
+    // A piece that is bent leads half its turn aside.
+    const double bent = 0.5 * normalized_angle(matched.theta - told.theta);
+    pieces.askew.push_back(
+        normalized_angle(std::atan2(matched.y, matched.x) - std::atan2(told.y, told.x) - bent));
     pieces.turns_per_meter.push_back(normalized_angle(told.theta - matched.theta) / length);
     told = matched = {};
     length = told_length = turn = 0.0;
@@ -282,6 +289,14 @@ std::vector<Remark> remarks_on_all_steps(const std::vector<Step>& steps) {
                       fmt::format("odometry turns by {:.1f} degrees a metre where the scans drive "
                                   "straight: the scans are believed",
                                   degrees(*turn))});
+  }
+  if (const auto askew = constant_error(straight.askew, 0.0, kUsualMount)) {
+    result.push_back(
+        {RemarkKind::laser_mount,
+         fmt::format("by the scans the robot drives askew, {:.1f} degrees to its {}: "
+                     "the laser looks as much to the other side of where the log says; "
+                     "state the mount with log.robot_from_laser",
+                     std::abs(degrees(*askew)), *askew > 0.0 ? "left" : "right")});
   }
   return result;
 }

@@ -15,7 +15,8 @@ namespace mapbed {
 //   - odometry that stands still while the robot moves, and tells the way later or not at all;
 //   - wheels that slip: seconds in which odometry is off by more than slipping wheels mostly are;
 //   - steps that are all too long or too short, or turn while the robot drives straight;
-//   - stamps that are late.
+//   - stamps that are late;
+//   - and a robot that drives askew, as the laser does not look where the log says.
 std::vector<Remark> remarks_on_odometry(const SensorLog& log, const Trajectory& estimate);
 
 }  // namespace mapbed

@@ -107,6 +107,15 @@ TEST(RemarksOnOdometry, NameStampsThatAreLateOrEarly) {
   }
 }
 
+// The estimate's robot is turned by as much as the laser is.
+TEST(RemarksOnOdometry, NameALaserThatDoesNotLookWhereTheLogSays) {
+  for (const double turned : {0.05, -0.09}) {
+    Drive askew = drive([](double, const Pose2& step) { return step; });
+    for (Stamped<Pose2>& stamped : askew.estimate) stamped.pose.theta += turned;
+    EXPECT_THAT(kinds(askew), ElementsAre(RemarkKind::laser_mount)) << turned;
+  }
+}
+
 TEST(RemarksOnOdometry, AreNoneWithoutOdometry) {
   const Drive right = drive([](double, const Pose2& step) { return step; });
   EXPECT_THAT(remarks_on_odometry({}, right.estimate), IsEmpty());

@@ -18,6 +18,12 @@ constexpr std::size_t kMinPoints = 10;  // fewer say nothing about a pose
 constexpr double kClearlyMore = 0.1;    // of the scan explained
 constexpr double kAsMuch = 0.02;        // the same, up to the noise of beams
 
+// Else all its beams failed.
+bool is_measurement(const LaserScan& scan) {
+  return std::any_of(scan.ranges.begin(), scan.ranges.end(),
+                     [](double range) { return range > 0.0; });
+}
+
 }  // namespace
 
 IncrementalMatcher::IncrementalMatcher(const IncrementalMatcherOptions& options, const Pose2& start)
@@ -129,11 +135,10 @@ std::optional<double> IncrementalMatcher::sigma_of(const LaserScan& scan) const 
   const bool blind = !odometry_at(scan.time) || !odometry_at_last_scan_;
   if (!blind || !last_match_.trustworthy) return {};
   const Pose2& pose = last_match_.map_from_robot;
-  const Hits hits =
-      known({hit_points(scan, options_.points), {}, scan.robot_from_laser.planar}, pose);
-  const LikelihoodField& field = local_scans_.field();
-  const Eigen::Matrix3d covariance = match_covariance(
-      pose, to_field_points(hits.points, field.resolution()), field, {.mean = pose});
+  const FieldPoints points =
+      known_points({hit_points(scan, options_.points), {}, scan.robot_from_laser.planar}, pose);
+  const Eigen::Matrix3d covariance =
+      match_covariance(pose, points, local_scans_.field(), {.mean = pose});
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
       Eigen::Matrix2d(covariance.topLeftCorner<2, 2>()));
   return std::sqrt(axes.eigenvalues().maxCoeff());
@@ -145,7 +150,9 @@ void IncrementalMatcher::add_scan(const LaserScan& scan, std::span<const float> 
     last_match_ = match(scan, beam_weights);
     map_from_robot_ = last_match_.map_from_robot;
     if (!last_match_.trustworthy) ++untrusted_scans_;
-    diagnostics_.scan(scan.time, last_match_, last_match_.points_used > 0, sigma_of(scan));
+    if (is_measurement(scan)) {
+      diagnostics_.scan(scan.time, last_match_, last_match_.points_used > 0, sigma_of(scan));
+    }
   }
   odometry_at_last_scan_ = odometry_at(scan.time);
   trajectory_.push_back({scan.time, map_from_robot_});
@@ -189,10 +196,15 @@ ScanMatch IncrementalMatcher::matched_near(const Hits& hits, const Prediction& p
   if (options_.alignment == Alignment::icp) {
     return match_icp(hits.points, local_scans_.icp_map(), prior, options_.icp, hits.weights);
   }
-  const Hits known = this->known(hits, prior.mean);
-  if (known.points.size() < kMinPoints) return none;
+  const FieldPoints points = known_points(hits, prior.mean);
+  if (points.size() < kMinPoints) return none;
+  return climbed(points, prediction);
+}
+
+// Uphill from the prediction, and from the best place of a search where that does not convince.
+ScanMatch IncrementalMatcher::climbed(const FieldPoints& points, const Prediction& prediction) {
+  const PosePrior& prior = prediction.prior;
   const LikelihoodField& field = local_scans_.field();
-  const FieldPoints points = to_field_points(known.points, field.resolution(), known.weights);
   ScanMatch match;
   if (options_.alignment == Alignment::hill_climbing) {
     match = match_scan(points, field, prior, options_.climb);
@@ -212,24 +224,24 @@ ScanMatch IncrementalMatcher::matched_near(const Hits& hits, const Prediction& p
   return match;
 }
 
-IncrementalMatcher::Hits IncrementalMatcher::known(const Hits& hits, const Pose2& predicted) const {
+FieldPoints IncrementalMatcher::known_points(const Hits& hits, const Pose2& predicted) const {
   const std::vector<bool> is_known =
       local_scans_.known(hits.points, hits.robot_from_laser, predicted);
-  Hits result{.points = {}, .weights = {}, .robot_from_laser = hits.robot_from_laser};
+  std::vector<Eigen::Vector2d> points;
+  std::vector<float> weights;
   for (std::size_t i = 0; i < hits.points.size(); ++i) {
     if (!is_known[i]) continue;
-    result.points.push_back(hits.points[i]);
-    if (!hits.weights.empty()) result.weights.push_back(hits.weights[i]);
+    points.push_back(hits.points[i]);
+    if (!hits.weights.empty()) weights.push_back(hits.weights[i]);
   }
-  return result;
+  return to_field_points(points, local_scans_.field().resolution(), std::move(weights));
 }
 
 // The best match of the wider search if it explains enough, else `match`.
 ScanMatch IncrementalMatcher::searched_widely(const Hits& hits, const Prediction& prediction,
                                               const ScanMatch& match) const {
   const LikelihoodField& field = local_scans_.field();
-  const Hits known = this->known(hits, prediction.prior.mean);
-  const FieldPoints points = to_field_points(known.points, field.resolution(), known.weights);
+  const FieldPoints points = known_points(hits, prediction.prior.mean);
   const PosePrior anywhere{.mean = match.map_from_robot};
   const BoundPyramid wide = make_bound_pyramid(field, options_.wide_search.window);
   const ScanMatch found = match_correlative(points, field, wide, anywhere, options_.wide_search);

@@ -74,7 +74,8 @@ class IncrementalMatcher : public Estimator {
   PosePrior going_on(double time) const;
   ScanMatch matched(const Hits& hits, const Prediction& prediction);
   ScanMatch matched_near(const Hits& hits, const Prediction& prediction);
-  Hits known(const Hits& hits, const Pose2& predicted) const;
+  FieldPoints known_points(const Hits& hits, const Pose2& predicted) const;
+  ScanMatch climbed(const FieldPoints& points, const Prediction& prediction);
   ScanMatch best_of(const Hits& hits, const ScanMatch& by_step,
                     const std::vector<OtherPrediction>& others);
   ScanMatch searched_widely(const Hits& hits, const Prediction& prediction,

@@ -27,7 +27,7 @@ class MatchingDiagnostics {
   static constexpr int kRun = 3;             // scans that fit nowhere, one after the other
   static constexpr double kLoose = 0.2;      // [m]
 
-  void fits(double time, bool anywhere);
+  void fits(double time, const ScanMatch& match);
 
   std::optional<double> last_;  // [s] stamp of the newest scan
   int misfits_ = 0;             // newest scans, one after the other

@@ -55,6 +55,17 @@ TEST(MatchingDiagnostics, KnowThatOneIsEnoughAfterAPause) {
   EXPECT_EQ(diagnostics.lost().size(), 1U);
 }
 
+TEST(MatchingDiagnostics, KnowThatTheRobotWasCarriedInAPauseThoughItsScanFits) {
+  for (const double pause : {1.0, 20.0}) {
+    MatchingDiagnostics diagnostics;
+    diagnostics.scan(1.0, fit(), true, kByOdometry);
+    ScanMatch elsewhere = fit();
+    elsewhere.contradicts_prediction = true;
+    diagnostics.scan(1.0 + pause, elsewhere, true, kByOdometry);
+    EXPECT_EQ(diagnostics.lost().size(), pause > 10.0 ? 1U : 0U);
+  }
+}
+
 TEST(MatchingDiagnostics, TellScansThatSeeTooLittle) {
   MatchingDiagnostics diagnostics;
   diagnostics.scan(1.0, misfit(), false, kByOdometry);
