@@ -111,7 +111,9 @@ bool GridSlam::relocalized(const ScanForWeighting& scan,
   if (place.relocated_to) {
     restart_at(*place.relocated_to);
     front_end_.forget_past();
-  } else if (!place.confirmed && !front_end_.newest_is_matched()) {
+  } else if (interruption && !place.confirmed && !front_end_.newest_is_matched()) {
+    // Elsewhere than odometry tells. Where nothing but the scan says so, as among trees, scans to
+    // come need the past.
     front_end_.forget_past();
   }
   const bool over = place.confirmed || place.relocated_to ||
