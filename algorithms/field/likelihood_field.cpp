@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,6 +19,8 @@ constexpr double kReach = 3.0;       // [sigma] of the neighbourhood that a mapp
 constexpr int kLargestRadius = 200;  // [cells] of it: every point changes its square
 constexpr int kMixtureSteps = 1024;
 constexpr int kDirectoryMargin = 4;  // [tiles] grown beyond what is needed
+constexpr int kBoundSteps = 1024;
+constexpr float kLineLength = 0.99499F;  // sqrt(1 - kAlong^2), rounded up
 
 }  // namespace
 
@@ -36,6 +37,16 @@ LikelihoodField::LikelihoodField(const LikelihoodFieldOptions& options)
         "cells",
         options.sigma, options.resolution));
   }
+  const double farthest = kReach * options.sigma / options.resolution;
+  bounds_per_square_ = static_cast<float>(kBoundSteps / (farthest * farthest));
+  for (int i = 0; i <= kBoundSteps; ++i) {
+    // Of the nearest distance that rounds to this index.
+    const auto squared = static_cast<float>(std::max(0.0, i - 0.01) / double{bounds_per_square_});
+    const double above = double{mixture_.log_at(squared)} - double{outlier_log_};
+    bounds_.push_back(
+        static_cast<std::uint8_t>(std::clamp(std::ceil(above / bound_step()), 0.0, 255.0)));
+  }
+  bounds_.back() = 0;
 }
 
 void LikelihoodField::clear() {
@@ -257,23 +268,39 @@ LikelihoodField::Shape LikelihoodField::shape_at(const Eigen::Vector2d& point) c
   return {.slope = -weight * resolution_ * across * off, .curvature = weight * across};
 }
 
-float LikelihoodField::highest_in(CellIndex index) const {
-  const int x = index.x - min_x_ * kTileSide, y = index.y - min_y_ * kTileSide;
-  if (x < 0 || y < 0 || x >= width_ * kTileSide || y >= height_ * kTileSide) return outlier_log_;
-  const Cell* cell = cell_at(x, y);
-  if (cell == nullptr) return outlier_log_;
-  // No nearer than the line, and where there is none no nearer than the mapped point.
-  constexpr float kLength = 0.99499F;  // of a line's direction, rounded up
-  static_assert(double{kLength} * double{kLength} >= 1.0 - kAlong * kAlong);
-  if (cell->along_x != 0.0F || cell->along_y != 0.0F) {
-    const float across = std::abs(cell->x * cell->along_y - cell->y * cell->along_x);
-    const float reach = 0.5F * (std::abs(cell->along_x) + std::abs(cell->along_y));
-    const float least = std::max(0.0F, across - reach) / kLength;
-    return mixture_.log_at(least * least);
+std::vector<CellIndex> LikelihoodField::tile_corners() const {
+  std::vector<CellIndex> corners;
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      if (directory_[static_cast<std::size_t>(y * width_ + x)] < 0) continue;
+      corners.push_back({(min_x_ + x) * kTileSide, (min_y_ + y) * kTileSide});
+    }
   }
-  const float dx = std::max(0.0F, std::abs(cell->x) - 0.5F);
-  const float dy = std::max(0.0F, std::abs(cell->y) - 0.5F);
-  return mixture_.log_at(dx * dx + dy * dy);
+  return corners;
+}
+
+void LikelihoodField::bound_tile(CellIndex corner, int stride, std::uint8_t* bounds) const {
+  static_assert(double{kLineLength} * double{kLineLength} >= 1.0 - kAlong * kAlong);
+  const Cell* cell = cell_at(corner.x - min_x_ * kTileSide, corner.y - min_y_ * kTileSide);
+  CHECK(cell != nullptr);
+  for (int y = 0; y < kTileSide; ++y, cell += kTileSide, bounds += stride) {
+    std::array<int, kTileSide> indices;
+    for (int x = 0; x < kTileSide; ++x) {  // without branches: so it is vectorized
+      const Cell& c = cell[x];
+      // No nearer than the line, and where there is none no nearer than the mapped point.
+      const float across = std::abs(c.x * c.along_y - c.y * c.along_x);
+      const float reach = 0.5F * (std::abs(c.along_x) + std::abs(c.along_y));
+      const float line = std::max(0.0F, across - reach) * (1.0F / kLineLength);
+      const float dx = std::max(0.0F, std::abs(c.x) - 0.5F);
+      const float dy = std::max(0.0F, std::abs(c.y) - 0.5F);
+      const float squared = reach > 0.0F ? line * line : dx * dx + dy * dy;
+      indices[static_cast<std::size_t>(x)] =
+          static_cast<int>(std::min(squared * bounds_per_square_, float{kBoundSteps}));
+    }
+    for (int x = 0; x < kTileSide; ++x) {
+      bounds[x] = bounds_[static_cast<std::size_t>(indices[static_cast<std::size_t>(x)])];
+    }
+  }
 }
 
 CellBox LikelihoodField::box() const {
@@ -312,25 +339,6 @@ double LikelihoodField::sum_log_at(const FieldPoints& points, const Pose2& map_f
     sum += points.weights[i] * log_in_directory(c * x - s * y + tx, s * x + c * y + ty);
   }
   return double{sum};
-}
-
-double FieldPoints::total_weight() const {
-  if (weights.empty()) return static_cast<double>(size());
-  return std::accumulate(weights.begin(), weights.end(), 0.0);
-}
-
-FieldPoints to_field_points(const std::vector<Eigen::Vector2d>& points_in_robot, double resolution,
-                            std::vector<float> weights) {
-  CHECK(weights.empty() || weights.size() == points_in_robot.size());
-  FieldPoints result;
-  result.weights = std::move(weights);
-  result.x.reserve(points_in_robot.size());
-  result.y.reserve(points_in_robot.size());
-  for (const Eigen::Vector2d& point : points_in_robot) {
-    result.x.push_back(static_cast<float>(point.x() / resolution));
-    result.y.push_back(static_cast<float>(point.y() / resolution));
-  }
-  return result;
 }
 
 }  // namespace mapbed

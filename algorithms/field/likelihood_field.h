@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/field/field_points.h"
 #include "algorithms/field/hit_mixture.h"
 #include "algorithms/field/local_map.h"
 #include "algorithms/grid/tiled_grid.h"
@@ -29,15 +30,6 @@ void visit_fields(LikelihoodFieldOptions& o, Visitor&& visit) {
   visit("inlier_ratio", o.inlier_ratio, between(0.01, 0.999),
         "fraction of beams that the map explains; the rest may end anywhere");
 }
-
-// Points of a scan in the robot frame, in cells of a field: what the matchers' inner loops read.
-struct FieldPoints {
-  std::vector<float> x;
-  std::vector<float> y;
-  std::vector<float> weights;  // in [0, 1]: how much each counts; empty: all count fully
-  std::size_t size() const { return x.size(); }
-  double total_weight() const;
-};
 
 // End-point model, section 2.2.4, smoothed as in section 2.3.2: the log-likelihood of a beam that
 // ends at a point, by its distance to the nearest mapped surface (HitMixture).
@@ -82,18 +74,20 @@ class LikelihoodField {
   };
   std::optional<Surface> surface_at(const Eigen::Vector2d& point) const;
 
-  CellBox box() const;                     // of the tiles in use
-  float highest_in(CellIndex cell) const;  // no point in the cell has a larger log_at
+  CellBox box() const;  // of the tiles in use
+  std::vector<CellIndex> tile_corners() const;
+  // For each cell of such a tile what a point in it can score at most: bytes in steps of
+  // bound_step() above outlier_log(), row by row, `stride` bytes apart.
+  void bound_tile(CellIndex corner, int stride, std::uint8_t* bounds) const;
+  double bound_step() const { return -double{outlier_log_} / 255.0; }
+  static constexpr int kTileBits = 5, kTileSide = 1 << kTileBits;
 
  private:
-  static constexpr int kTileBits = 5;
-  static constexpr int kTileSide = 1 << kTileBits;
   static constexpr std::size_t kTileCells = std::size_t{kTileSide} * kTileSide;
 
   struct Cell {
-    float x = kFar;  // from the cell's centre to the nearest mapped point [cells]
-    float y = kFar;
-    float along_x = 0.0F;  // the line's direction, of length sqrt(1 - kAlong^2); zero: no line
+    float x = kFar, y = kFar;  // from the cell's centre to the nearest mapped point [cells]
+    float along_x = 0.0F;      // the line's direction, of length sqrt(1 - kAlong^2); zero: no line
     float along_y = 0.0F;
   };
   static constexpr float kFar = 1e6F;
@@ -113,16 +107,14 @@ class LikelihoodField {
   double sigma_;        // [m]
   HitMixture mixture_;  // of distances in cells
   float outlier_log_;
-  int radius_;                           // [cells] of the neighbourhood that one end point changes
-  int min_x_ = 0, min_y_ = 0;            // of the directory, in tiles
-  int width_ = 0, height_ = 0;           // of the directory, in tiles
-  std::vector<std::int32_t> directory_;  // tile number, -1 where there is none
-  std::vector<Cell> cells_;              // kTileCells for each tile, row by row
+  int radius_;  // [cells] of the neighbourhood that one end point changes
+  int min_x_ = 0, min_y_ = 0, width_ = 0, height_ = 0;  // of the directory [tiles]
+  std::vector<std::int32_t> directory_;                 // tile number, -1 where there is none
+  std::vector<Cell> cells_;                             // kTileCells for each tile, row by row
   std::int32_t tiles_ = 0;
+  std::vector<std::uint8_t> bounds_;      // of bound_tile, by squared distance
+  float bounds_per_square_ = 0.0F;        // d^2 -> index into them
   std::vector<std::int32_t> free_tiles_;  // below tiles_, in no place of the directory
 };
-
-FieldPoints to_field_points(const std::vector<Eigen::Vector2d>& points_in_robot, double resolution,
-                            std::vector<float> weights = {});
 
 }  // namespace mapbed

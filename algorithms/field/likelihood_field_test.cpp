@@ -62,10 +62,21 @@ TEST(LikelihoodField, NoPointInACellScoresAboveTheCellsHighest) {
   for (const Eigen::Vector2d& point : scattered_points(100, 9)) {
     field.add(SurfacePoint{point, Eigen::Vector2d(point.x(), point.y()).normalized()});
   }
-  for (const Eigen::Vector2d& p : scattered_points(5'000, 7)) {
-    const CellIndex cell = TiledGrid<char>(0.05).cell_of(p);
-    EXPECT_LE(field.log_at(p), double{field.highest_in(cell)} + 1e-6);
+  constexpr int kSide = LikelihoodField::kTileSide;
+  std::vector<std::uint8_t> bounds(kSide * kSide);
+  int compared = 0;
+  for (const CellIndex corner : field.tile_corners()) {
+    field.bound_tile(corner, kSide, bounds.data());
+    for (const Eigen::Vector2d& p : scattered_points(5'000, 7)) {
+      const CellIndex cell = TiledGrid<char>(0.05).cell_of(p);
+      const int x = cell.x - corner.x, y = cell.y - corner.y;
+      if (x < 0 || y < 0 || x >= kSide || y >= kSide) continue;
+      const double highest = field.bound_step() * bounds[static_cast<std::size_t>(y * kSide + x)];
+      EXPECT_LE(field.log_at(p), double{field.outlier_log()} + highest + 1e-6);
+      ++compared;
+    }
   }
+  EXPECT_GT(compared, 1'000);
 }
 
 TEST(LikelihoodField, IsTheFloorFarAwayAndAfterClearing) {

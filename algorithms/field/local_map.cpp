@@ -35,19 +35,38 @@ std::vector<std::size_t> select_local_scans(const std::vector<Pose2>& poses,
   return selected;
 }
 
+SurfaceMeans::Cell& SurfaceMeans::cell_for_writing(CellIndex index) {
+  std::uint32_t& slot = slots_.at(index);
+  if (slot == kNotHit) {
+    hit_cells_.push_back(index);
+    if (free_slots_.empty()) {
+      slot = static_cast<std::uint32_t>(cells_.size());
+      cells_.emplace_back();
+    } else {
+      slot = free_slots_.back();
+      free_slots_.pop_back();
+    }
+  }
+  return cells_[slot];
+}
+
+void SurfaceMeans::release(CellIndex index) {
+  std::uint32_t& slot = slots_.at(index);
+  cells_[slot] = Cell{};
+  free_slots_.push_back(std::exchange(slot, kNotHit));
+}
+
 void SurfaceMeans::count(const SurfacePoint& point, int sign) {
-  const CellIndex index = grid_.cell_of(point.position);
-  Cell& cell = grid_.at(index);
+  const CellIndex index = slots_.cell_of(point.position);
+  Cell& cell = cell_for_writing(index);
   const auto steps = [&](double value) { return sign * std::llround(value * kStepsPerUnit); };
   cell.x += steps(point.position.x());
   cell.y += steps(point.position.y());
   cell.doubled_x += steps(point.doubled.x());
   cell.doubled_y += steps(point.doubled.y());
   cell.count += sign;
-  is_hit_.at(index) = cell.count > 0 ? 1 : 0;
-  if (!cell.listed) hit_cells_.push_back(index);
   if (!cell.changed) changed_cells_.push_back(index);
-  cell.listed = cell.changed = true;
+  cell.changed = true;
 }
 
 void SurfaceMeans::add(const std::vector<SurfacePoint>& points_in_map) {
@@ -57,26 +76,23 @@ void SurfaceMeans::add(const std::vector<SurfacePoint>& points_in_map) {
 void SurfaceMeans::remove(const std::vector<SurfacePoint>& points_in_map) {
   for (const SurfacePoint& point : points_in_map) count(point, -1);
   std::erase_if(hit_cells_, [&](const CellIndex index) {
-    Cell& cell = grid_.at(index);
-    CHECK(cell.count >= 0);
-    if (cell.count == 0) cell.listed = false;
-    return cell.count == 0;
+    const int count = cells_[slots_[index]].count;
+    CHECK(count >= 0);
+    if (count == 0) release(index);
+    return count == 0;
   });
 }
 
 void SurfaceMeans::clear() {
   for (const CellIndex index : hit_cells_) {
-    Cell& cell = grid_.at(index);
-    if (!cell.changed) changed_cells_.push_back(index);
-    cell = Cell{};
-    cell.changed = true;
-    is_hit_.at(index) = 0;
+    if (!cells_[slots_[index]].changed) changed_cells_.push_back(index);
+    release(index);
   }
   hit_cells_.clear();
 }
 
 std::vector<CellIndex> SurfaceMeans::take_changed() {
-  for (const CellIndex index : changed_cells_) grid_.at(index).changed = false;
+  for (const CellIndex index : changed_cells_) cells_[slots_[index]].changed = false;
   return std::exchange(changed_cells_, {});
 }
 
@@ -89,14 +105,15 @@ SurfacePoint SurfaceMeans::mean_of(const Cell& cell) {
 }
 
 std::optional<SurfacePoint> SurfaceMeans::mean_in(CellIndex index) const {
-  if (is_hit_[index] == 0) return std::nullopt;
-  return mean_of(grid_[index]);
+  const std::uint32_t slot = slots_[index];
+  if (slot == kNotHit) return std::nullopt;
+  return mean_of(cells_[slot]);
 }
 
 std::vector<SurfacePoint> SurfaceMeans::means() const {
   std::vector<SurfacePoint> result;
   result.reserve(hit_cells_.size());
-  for (const CellIndex index : hit_cells_) result.push_back(mean_of(grid_[index]));
+  for (const CellIndex index : hit_cells_) result.push_back(mean_of(cells_[slots_[index]]));
   return result;
 }
 

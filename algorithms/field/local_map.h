@@ -51,7 +51,7 @@ bool is_far_enough(const Pose2& integrated, const Pose2& pose, const LocalMapOpt
 // taken out again and the means do not depend on the order.
 class SurfaceMeans {
  public:
-  explicit SurfaceMeans(double resolution) : grid_(resolution), is_hit_(resolution) {}
+  explicit SurfaceMeans(double resolution) : slots_(resolution) {}
 
   void add(const std::vector<SurfacePoint>& points_in_map);
   void remove(const std::vector<SurfacePoint>& points_in_map);  // that were added before
@@ -61,13 +61,13 @@ class SurfaceMeans {
   // visit(mean) for the cells of a box that were hit, row by row.
   template <class Visitor>
   void for_each_in(const CellBox& box, Visitor&& visit) const {
-    is_hit_.for_each_in(box, [&](CellIndex cell, std::uint8_t is_hit) {
-      if (is_hit != 0) visit(mean_of(grid_[cell]));
+    slots_.for_each_in(box, [&](CellIndex, std::uint32_t slot) {
+      if (slot != kNotHit) visit(mean_of(cells_[slot]));
     });
   }
   std::vector<SurfacePoint> means() const;  // in the order in which the cells were first hit
 
-  // The cells whose means were changed since this was asked last.
+  // The cells whose means were changed since this was asked last; one may stand there twice.
   std::vector<CellIndex> take_changed();
 
  private:
@@ -75,14 +75,18 @@ class SurfaceMeans {
     std::int64_t x = 0, y = 0;                  // sum of positions [steps]
     std::int64_t doubled_x = 0, doubled_y = 0;  // sum of directions [steps]
     std::int32_t count = 0;
-    bool changed = false;
-    bool listed = false;  // in hit_cells_
+    bool changed = false;  // in changed_cells_
   };
+  static constexpr std::uint32_t kNotHit = 0;
   void count(const SurfacePoint& point, int sign);
+  Cell& cell_for_writing(CellIndex index);
+  void release(CellIndex index);
   static SurfacePoint mean_of(const Cell& cell);
 
-  TiledGrid<Cell> grid_;
-  TiledGrid<std::uint8_t> is_hit_;  // of the cells, small enough to be looked through
+  // Where a cell lies in cells_: a local map that moves on leaves no more behind than this.
+  TiledGrid<std::uint32_t> slots_;
+  std::vector<Cell> cells_{1};  // the first stands for kNotHit
+  std::vector<std::uint32_t> free_slots_;
   std::vector<CellIndex> hit_cells_;
   std::vector<CellIndex> changed_cells_;
 };

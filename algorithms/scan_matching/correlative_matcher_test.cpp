@@ -45,19 +45,51 @@ TEST(BoundPyramid, NeverLiesBelowWhatItBounds) {
   LikelihoodField field;
   Rng rng(9);
   for (int i = 0; i < 60; ++i) field.add(SurfacePoint{{rng.uniform(-1, 1), rng.uniform(-1, 1)}});
-  const BoundPyramid pyramid = make_bound_pyramid(field, 0.5);
+  const BoundPyramid pyramid = make_bound_pyramid(field, 6.4);
+  ASSERT_GE(pyramid.levels.back().thinning, 3);
   for (std::size_t level = 0; level < pyramid.levels.size(); ++level) {
     for (int i = 0; i < 500; ++i) {
-      const Eigen::Vector2d p(rng.uniform(-1.2, 1.2), rng.uniform(-1.2, 1.2));
+      const Eigen::Vector2d shifted(rng.uniform(-1.2, 1.2), rng.uniform(-1.2, 1.2));
       const auto reach = static_cast<std::uint64_t>(1) << level;
-      const Eigen::Vector2d shifted =
-          p + 0.05 * Eigen::Vector2d(double(rng.index(reach)), double(rng.index(reach)));
-      const int x = static_cast<int>(std::floor(p.x() / 0.05)) - pyramid.min_x;
-      const int y = static_cast<int>(std::floor(p.y() / 0.05)) - pyramid.min_y;
-      const int bound = pyramid.levels[level][static_cast<std::size_t>(y * pyramid.width + x)];
+      const Eigen::Vector2d p =
+          shifted - 0.05 * Eigen::Vector2d(double(rng.index(reach)), double(rng.index(reach)));
+      const int bound = pyramid.levels[level].at(static_cast<int>(std::floor(p.x() / 0.05)),
+                                                 static_cast<int>(std::floor(p.y() / 0.05)));
       EXPECT_GE(double{field.outlier_log()} + bound * pyramid.step, field.log_at(shifted) - 1e-5);
     }
   }
+}
+
+// Thinned, an entry covers up to half as many cells more; there is nothing to score beyond.
+TEST(BoundPyramid, IsZeroWhereNoShiftReachesTheMap) {
+  LikelihoodField field;
+  field.add(SurfacePoint{{0.0, 0.0}});
+  const BoundPyramid pyramid = make_bound_pyramid(field, 6.4);
+  for (std::size_t level = 0; level < pyramid.levels.size(); ++level) {
+    const int reach = 32 + (3 << level) / 2;  // a tile, and the level's
+    EXPECT_EQ(pyramid.levels[level].at(-reach - 1, 0), 0) << level;
+    EXPECT_EQ(pyramid.levels[level].at(33, 0), 0) << level;
+    EXPECT_EQ(pyramid.levels[level].at(0, 33), 0) << level;
+    EXPECT_GT(pyramid.levels[level].at(0, 0), 0) << level;
+  }
+}
+
+// A window so large that turns are bounded in groups.
+TEST(CorrelativeMatcher, FindsTheOptimumOfExhaustiveSearchInALargeWindow) {
+  const TestRoom room = example_place();
+  const Pose2 truth{2.0, 2.0, 0.3};
+  LikelihoodField field({.resolution = 0.2, .sigma = 0.2});
+  field.add(transformed(surface_points(scan_of(room, truth), 30.0, 0.2, 0.2), truth));
+  const FieldPoints points =
+      to_field_points(hit_points(scan_of(room, truth), {.max_points = 40}), 0.2);
+  const CorrelativeMatcherOptions options{.window = 10.0, .turn_window = 3.2};
+  const PosePrior far{.mean = truth * Pose2{4.1, -3.2, 2.5}};
+  const BoundPyramid pyramid = make_bound_pyramid(field, options.window);
+  ASSERT_GE(pyramid.levels.size(), 7U);
+  const ScanMatch plain = match_exhaustive(points, field, far, options);
+  const ScanMatch fast = match_correlative(points, field, pyramid, far, options);
+  EXPECT_NEAR(fast.log_posterior, plain.log_posterior, 1e-6);
+  EXPECT_THAT(fast.map_from_robot, IsNear(plain.map_from_robot, Tolerance{1e-9, 1e-9}));
 }
 
 TEST(CorrelativeMatcher, FindsAStartErrorThatHillClimbingDoesNot) {
