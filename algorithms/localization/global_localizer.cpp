@@ -63,11 +63,24 @@ std::optional<Pose2> GlobalLocalizer::matched_at(const Pose2& place,
   return match.map_from_robot;
 }
 
+FieldPoints GlobalLocalizer::in_cells(const std::vector<Eigen::Vector2d>& points) const {
+  return to_field_points(spread_evenly(points, static_cast<std::size_t>(options_.max_points)),
+                         field_.resolution());
+}
+
+GlobalLocalizer::Answer GlobalLocalizer::look_here(const std::vector<Eigen::Vector2d>& points,
+                                                   const Pose2& here) const {
+  if (points.empty()) return {};
+  const ScanMatch stayed = match_scan(in_cells(points), field_, {.mean = here});
+  return {.confirmed = stayed.inlier_ratio >= options_.min_inlier_ratio,
+          .relocated_to = {},
+          .plausible = stayed.trustworthy};
+}
+
 GlobalLocalizer::Answer GlobalLocalizer::find(const std::vector<Eigen::Vector2d>& points,
                                               const Pose2& here) const {
   if (points.empty()) return {};
-  const FieldPoints in_cells = to_field_points(
-      spread_evenly(points, static_cast<std::size_t>(options_.max_points)), field_.resolution());
+  const FieldPoints in_cells = this->in_cells(points);
   const auto count = static_cast<double>(in_cells.size());
   const PosePrior anywhere{.mean = centre_};
   const CorrelativeMatcherOptions lattice{.window = window_, .turn_window = kPi};
@@ -86,6 +99,7 @@ GlobalLocalizer::Answer GlobalLocalizer::find(const std::vector<Eigen::Vector2d>
   const LimitedSearch found =
       best_match_within(in_cells, field_, pyramid_, anywhere, lattice,
                         {.above = worth - lattice_loss, .max_blocks = max_blocks});
+  answer.complete = found.complete;
   if (!found.match || !found.complete) return answer;
   const ScanMatch best = match_scan_from(found.match->map_from_robot, in_cells, field_, anywhere);
   if (best.log_likelihood < worth) return answer;
@@ -100,6 +114,7 @@ GlobalLocalizer::Answer GlobalLocalizer::find(const std::vector<Eigen::Vector2d>
                                                  .distance = options_.rival_distance,
                                                  .turn = options_.rival_turn,
                                                  .max_blocks = max_blocks});
+  answer.complete = rival.complete;
   const bool rivalled =
       !rival.complete ||
       (rival.match &&

@@ -116,7 +116,7 @@ TEST(GridSlam, IsNotWorseForLookingForItselfWhereScansFitNowhere) {
   for (Measurement& measurement : log.measurements) {
     auto* scan = std::get_if<LaserScan>(&measurement);
     if (scan == nullptr || std::abs(scan->time - middle) > 2.0) continue;
-    for (float& range : scan->ranges) range = static_cast<float>(rng.uniform(0.5, 14.0));
+    for (double& range : scan->ranges) range = rng.uniform(0.5, 14.0);
   }
   GridSlamOptions options;
   options.particles = 20;

@@ -51,8 +51,11 @@ bool Relocalization::gives_up(const Updates& updates) const {
 }
 
 GlobalLocalizer::Answer Relocalization::find(const Updates& updates, const Pose2& here) {
-  GlobalLocalizer::Answer answer = searched(updates, here);
   const std::size_t newest = updates.newest();
+  if (newest < next_search_) return search_.look_here(updates.scans[newest].hits, here);
+  GlobalLocalizer::Answer answer = searched(updates, here);
+  wait_ = answer.complete ? 1 : 2 * wait_;
+  next_search_ = newest + wait_;
   const std::optional<Candidate> before = candidate_;
   candidate_.reset();
   if (!answer.relocated_to) return answer;
@@ -77,6 +80,7 @@ GlobalLocalizer::Answer Relocalization::searched(const Updates& updates, const P
   // How several scans lie to each other is known less well where they fitted nowhere, so the newest
   // one must agree by itself.
   GlobalLocalizer::Answer together = search_.find(newest_scans(updates, count), here);
+  together.complete = together.complete && alone.complete;
   if (together.relocated_to)
     together.relocated_to = search_.matched_at(*together.relocated_to, newest_hits);
   return together;

@@ -36,7 +36,8 @@ class Relocalization {
   bool gives_up(const Updates& updates) const;
 
   // Where the robot is with the newest update. Elsewhere only where the search after the update
-  // before led to the same place: what looks alike by chance does so once.
+  // before led to the same place: what looks alike by chance does so once. Where nothing stands out
+  // and a search is given up, as among trees, the next one waits for twice as many updates.
   GlobalLocalizer::Answer find(const Updates& updates, const Pose2& here);
 
   // The particles after the newest update, made where the robot was found.
@@ -59,6 +60,8 @@ class Relocalization {
     std::size_t update = 0;
   };
   std::optional<Candidate> candidate_;
+  std::size_t next_search_ = 0;  // update
+  std::size_t wait_ = 1;         // [updates] after a search that was given up
 };
 
 }  // namespace mapbed

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -104,13 +105,15 @@ MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
                 const std::function<bool(std::size_t done, std::size_t total)>& may_go_on) {
   const SensorLog& log = prepared.log;
   check_size_of_first_scan(log, config.map);
-  const auto estimator = config.configured.make({}, Rng(config.seed).stream(config.method));
+  std::unique_ptr<Estimator> estimator =
+      config.configured.make({}, Rng(config.seed).stream(config.method));
   MapCost cost;
   const std::size_t taken = feed(*estimator, log, cost, may_go_on);
   estimator->finish();
   Estimate estimate = estimator->estimate();
   add_remarks_on_input(prepared, estimate);
 
+  estimator.reset();  // the map needs its memory
   const Stopwatch mapping;
   const auto part_of_log = [&] {
     return SensorLog(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(taken));
