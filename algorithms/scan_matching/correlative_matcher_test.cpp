@@ -81,11 +81,11 @@ TEST(CorrelativeMatcher, FindsTheOptimumOfExhaustiveSearchInALargeWindow) {
   LikelihoodField field({.resolution = 0.2, .sigma = 0.2});
   field.add(transformed(surface_points(scan_of(room, truth), 30.0, 0.2, 0.2), truth));
   const FieldPoints points =
-      to_field_points(hit_points(scan_of(room, truth), {.max_points = 40}), 0.2);
-  const CorrelativeMatcherOptions options{.window = 10.0, .turn_window = 3.2};
-  const PosePrior far{.mean = truth * Pose2{4.1, -3.2, 2.5}};
+      to_field_points(hit_points(scan_of(room, truth), {.max_points = 20}), 0.2);
+  const CorrelativeMatcherOptions options{.window = 4.2, .turn_window = 3.2, .turn_step = 0.05};
+  const PosePrior far{.mean = truth * Pose2{3.1, -2.2, 2.5}};
   const BoundPyramid pyramid = make_bound_pyramid(field, options.window);
-  ASSERT_GE(pyramid.levels.size(), 7U);
+  ASSERT_GE(pyramid.levels.size(), 6U);
   const ScanMatch plain = match_exhaustive(points, field, far, options);
   const ScanMatch fast = match_correlative(points, field, pyramid, far, options);
   EXPECT_NEAR(fast.log_posterior, plain.log_posterior, 1e-6);
