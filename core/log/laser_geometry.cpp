@@ -20,35 +20,6 @@ std::optional<double> parameter(const RecordedLog& log, const std::string& name)
   return value;
 }
 
-// In degrees; 0: no laser that we know.
-double usual_step(std::size_t beams) {
-  switch (beams) {
-    case 180:
-    case 181:
-      return 1.0;
-    case 360:
-    case 361:
-    case 540:
-    case 541:
-      return 0.5;
-    case 401:
-    case 720:
-    case 721:
-    case 1081:
-      return 0.25;
-    case 681:
-    case 682:
-      return 360.0 / 1024.0;
-    default:
-      return 0.0;
-  }
-}
-
-// An even number of beams is one cut off an odd one: 180 of 181.
-double usual_first(std::size_t beams, double step) {
-  return -0.5 * step * static_cast<double>(beams % 2 == 0 ? beams : beams - 1);
-}
-
 double stated_max_range(const RecordedLog& log, int laser) {
   const LaserParameterNames names = parameter_names_of(laser);
   for (const std::string& name : {names.max_range, names.bearings + "max_range"}) {
@@ -94,32 +65,14 @@ LaserParameterNames parameter_names_of(int laser) {
   return {"robot_" + side + "laser_", "laser_" + side + "_laser_", "robot_" + side + "_laser_max"};
 }
 
-std::optional<Bearings> bearings_of(std::size_t beams, int laser, const RecordedLog& log,
-                                    const LogOptions& options) {
-  if (beams < 2) return std::nullopt;
-  const double gaps = static_cast<double>(beams - 1);
+StatedBearings stated_bearings(const RecordedLog& log, int laser) {
   const std::string prefix = parameter_names_of(laser).bearings;
-  double step = radians(usual_step(beams));
-  if (const auto stated = parameter(log, prefix + "resolution");
-      stated && *stated > 0.0 && *stated * gaps <= 360.0)
-    step = radians(*stated);
-  double first = usual_first(beams, step);
-  if (const auto stated = parameter(log, prefix + "fov");
-      stated && *stated > 0.0 && *stated <= 360.0) {
-    if (step == 0.0) step = radians(*stated) / gaps;
-    first = -0.5 * radians(*stated);
-  }
-  if (options.bearing_step != 0.0) {
-    step = options.bearing_step;
-    first = -0.5 * step * gaps;
-  }
-  if (options.field_of_view > 0.0) {
-    if (options.bearing_step == 0.0) step = options.field_of_view / gaps;
-    first = -0.5 * options.field_of_view;
-  }
-  if (!options.first_bearing.empty()) first = options.first_bearing[0];
-  if (step == 0.0) return std::nullopt;
-  return Bearings{first, step};
+  StatedBearings stated{parameter(log, prefix + "resolution"), parameter(log, prefix + "fov"),
+                        parameter(log, prefix + "first_bearing")};
+  for (auto* value : {&stated.resolution, &stated.field_of_view})
+    if (*value && !(**value > 0.0)) value->reset();
+  if (stated.first) stated.first = radians(*stated.first);
+  return stated;
 }
 
 Pose2 mount_of(int laser, const RecordedLog& log, const LogOptions& options) {
@@ -158,16 +111,6 @@ double max_range_of(const std::vector<const LaserScan*>& scans, double stated) {
   for (const double usual : {8.0, 16.0, 30.0, 50.0, 81.83})
     if (top < usual) return usual;
   return std::nextafter(top, INFINITY);
-}
-
-void replace_stated_bearings(LaserScan& scan, const LogOptions& options) {
-  if (options.field_of_view > 0.0) {
-    scan.first_bearing = -0.5 * options.field_of_view;
-    if (scan.ranges.size() > 1)
-      scan.bearing_step = options.field_of_view / static_cast<double>(scan.ranges.size() - 1);
-  }
-  if (options.bearing_step != 0.0) scan.bearing_step = options.bearing_step;
-  if (!options.first_bearing.empty()) scan.first_bearing = options.first_bearing[0];
 }
 
 void complete_max_range(RecordedLog& log, const LogOptions& options) {

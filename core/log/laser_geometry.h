@@ -1,9 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/log/bearings.h"
 #include "core/log/log_file.h"
 
 // What a scan needs beside its ranges, where its line does not have it.
@@ -16,26 +16,13 @@ inline constexpr double kAbsurdRange = 1000.0;  // [m] no laser of a robot reach
 // (1); further ones are laser3, laser4, … as in ROBOTLASER3.
 struct LaserParameterNames {
   std::string mount;      // "robot_frontlaser_", before offset, side_offset and angular_offset
-  std::string bearings;   // "laser_front_laser_", before resolution, fov and max_range
+  std::string bearings;   // "laser_front_laser_", before resolution, fov, first_bearing, max_range
   std::string max_range;  // "robot_front_laser_max"
 };
 LaserParameterNames parameter_names_of(int laser);
 
-// The bearings of a scan. The options win, then PARAM laser_front_laser_resolution and
-// laser_front_laser_fov ([deg]; rear likewise), then the number of beams as the lasers of CARMEN
-// logs have it, counter-clockwise:
-//
-//   180, 181    1    deg from  -90 deg        401           0.25 deg from  -50 deg
-//   360, 361    0.5  deg from  -90 deg        720, 721      0.25 deg from  -90 deg
-//   540, 541    0.5  deg from -135 deg        1080, 1081    0.25 deg from -135 deg
-//
-// With 180 beams the last one is thus at +89 deg: CARMEN cuts the 181st beam of the scanner off.
-struct Bearings {
-  double first = 0.0;  // [rad]
-  double step = 0.0;   // [rad]
-};
-std::optional<Bearings> bearings_of(std::size_t beams, int laser, const RecordedLog& log,
-                                    const LogOptions& options);
+// What the parameters say of where its beams point.
+StatedBearings stated_bearings(const RecordedLog& log, int laser);
 
 // Where a laser stands on the robot. The options win, then PARAM robot_frontlaser_offset or
 // robot_rearlaser_offset (with _side_offset and _angular_offset); otherwise the robot's centre. A
@@ -56,9 +43,5 @@ double max_range_of(const std::vector<const LaserScan*>& scans, double stated);
 
 // The same for all scans of a log, laser by laser; infinite readings become the maximum range.
 void complete_max_range(RecordedLog& log, const LogOptions& options);
-
-// Of a scan whose line states its geometry: each option replaces its own quantity alone. Only a
-// field of view is both, the first bearing and the step.
-void replace_stated_bearings(LaserScan& scan, const LogOptions& options);
 
 }  // namespace mapbed

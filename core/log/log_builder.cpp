@@ -9,6 +9,7 @@
 #include "core/check.h"
 #include "core/file/tokens.h"
 #include "core/geometry/angle.h"
+#include "core/log/bearings.h"
 #include "core/log/laser_geometry.h"
 
 namespace mapbed {
@@ -71,30 +72,6 @@ void make_up_stamps(SensorLog& log, double period) {
     if (std::holds_alternative<LaserScan>(m)) time += period;
   }
 }
-
-// The geometry of lasers, worked out once for all scans of one.
-class LaserGeometry {
- public:
-  LaserGeometry(const RecordedLog& log, const LogOptions& options) : log_(log), options_(options) {}
-
-  const Pose2& mount(int laser) {
-    const auto [found, is_new] = mounts_.try_emplace(laser);
-    if (is_new) found->second = mount_of(laser, log_, options_);
-    return found->second;
-  }
-
-  const std::optional<Bearings>& bearings(int laser, std::size_t beams) {
-    const auto [found, is_new] = bearings_.try_emplace({laser, beams});
-    if (is_new) found->second = bearings_of(beams, laser, log_, options_);
-    return found->second;
-  }
-
- private:
-  const RecordedLog& log_;
-  const LogOptions& options_;
-  std::map<int, Pose2> mounts_;
-  std::map<std::pair<int, std::size_t>, std::optional<Bearings>> bearings_;  // by number of beams
-};
 
 }  // namespace
 
@@ -213,6 +190,15 @@ void LogBuilder::add(LaserScan scan, long line) {
   log_.measurements.emplace_back(std::move(scan));
 }
 
+void LogBuilder::state_bearings(LaserScan& scan, double field_of_view, long line) {
+  const LineBearings stated =
+      bearings_of_line(scan.first_bearing, field_of_view, scan.bearing_step, scan.ranges.size());
+  scan.first_bearing = stated.bearings.first;
+  scan.bearing_step = stated.bearings.step;
+  if (!stated.note.empty()) warn(line, stated.note);
+  if (stated.other) other_bearings_[scan.laser] = *stated.other;
+}
+
 void LogBuilder::forget_scans() {
   std::erase_if(log_.measurements,
                 [](const Measurement& m) { return std::holds_alternative<LaserScan>(m); });
@@ -232,6 +218,7 @@ void LogBuilder::add_true_pose(const Stamped<Pose2>& pose, long line) {
 
 void LogBuilder::set_parameter(std::string name, std::string value, long line) {
   account(kParameterMemory + name.size() + value.size(), line);
+  line_of_parameter_[name] = line;
   log_.parameters[std::move(name)] = std::move(value);
 }
 
@@ -253,30 +240,9 @@ void LogBuilder::refuse_unknown_scans(const std::map<std::size_t, long>& scans_o
 // What the lines left open. Scans of which the bearings are not known are left out, unless they are
 // the larger part: then it is not for us to guess.
 void LogBuilder::complete_geometry() {
-  const bool given = options_.bearing_step != 0.0 || options_.field_of_view > 0.0 ||
-                     !options_.first_bearing.empty();
-  std::map<std::size_t, long> unknown;  // scans by number of beams
-  LaserGeometry geometry(log_, options_);
-  std::erase_if(log_.measurements, [&](Measurement& measurement) {
-    auto* scan = std::get_if<LaserScan>(&measurement);
-    if (scan == nullptr) return false;
-    const auto& mount =
-        scan->laser == 1 ? options_.robot_from_rear_laser : options_.robot_from_laser;
-    if (std::isnan(scan->robot_from_laser.planar.x) || (scan->laser <= 1 && !mount.empty()))
-      scan->robot_from_laser.planar = geometry.mount(scan->laser);
-    if (scan->bearing_step != 0.0) {
-      if (given) replace_stated_bearings(*scan, options_);
-      return false;
-    }
-    const auto& bearings = geometry.bearings(scan->laser, scan->ranges.size());
-    if (!bearings) {
-      ++unknown[scan->ranges.size()];
-      return true;
-    }
-    scan->first_bearing = bearings->first;
-    scan->bearing_step = bearings->step;
-    return false;
-  });
+  const auto [unknown, notes] = complete_lasers(log_, options_, other_bearings_);
+  for (const auto& [parameter, note] : notes)
+    warn(line_of_parameter_[parameter], parameter + ": " + note);
   long left = scans_;
   for (const auto& [beams, count] : unknown) left -= count;
   if (left == 0 && unknown.size() > 1) refuse_unknown_scans(unknown);

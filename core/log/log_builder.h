@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/log/bearings.h"
 #include "core/log/log_file.h"
 
 namespace mapbed {
@@ -16,8 +17,8 @@ class Tokens;
 // the scans at the end: geometry that the lines did not have, maximum range, order of time.
 //
 // A scan with bearing_step 0 gets its bearings, one whose robot_from_laser is kMountToBeTold its
-// place on the robot from the number of its beams, the parameters and the options; see
-// laser_geometry.h.
+// place on the robot from the number of its beams, the parameters and the options; see bearings.h
+// and laser_geometry.h.
 inline constexpr Pose2 kMountToBeTold{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0};
 
 class LogBuilder {
@@ -30,6 +31,8 @@ class LogBuilder {
   void add(LaserScan scan, long line);
   void add_true_pose(const Stamped<Pose2>& pose, long line);
   void set_parameter(std::string name, std::string value, long line);
+  // First bearing and step of a scan as its line has them, its field of view [0: not told].
+  void state_bearings(LaserScan& scan, double field_of_view, long line);
   // A message was left out; `example`, of the first one of its kind, is part of the remark.
   void broken(long line, const std::string& reason, const std::string& example = {});
   void garbled(long line, const std::string& kind, const Tokens& tokens);  // FLASER: not ok() there
@@ -60,7 +63,9 @@ class LogBuilder {
   std::map<std::string, std::size_t> warning_of_reason_;
   std::map<int, LastScan> last_scan_of_laser_;
   std::map<std::size_t, long> first_line_of_beams_;
-  double newest_ = -1e300;  // [s]
+  std::map<std::string, long> line_of_parameter_;
+  std::map<int, Bearings> other_bearings_;  // that lines of a laser can mean, too
+  double newest_ = -1e300;                  // [s]
   bool out_of_order_ = false;
   long line_gone_back_ = 0;  // the last message's, where its stamp was far too old
   double memory_ = 0.0;      // [bytes]

@@ -9,6 +9,7 @@
 #include "core/input_error.h"
 #include "core/interrupted.h"
 #include "core/log/log_options.h"
+#include "core/log/recorded_lasers.h"
 #include "core/log/sensor_log.h"
 
 // Recorded logs from files, plain or gzipped; the dialect is told by the content:
@@ -38,6 +39,7 @@ struct RecordedLog {
   Trajectory true_poses;                          // world_from_robot; where the log has them
   bool has_stamps = true;                         // false: the times are made up
   std::map<std::string, std::string> parameters;  // CARMEN's PARAM lines
+  std::vector<RecordedLaser> lasers;              // by number
   std::vector<LogWarning> warnings;
 };
 

@@ -185,8 +185,7 @@ class CarmenReader : public LogLineReader {
     tokens.number();  // remission mode
     scan.ranges = tokens.counted_numbers();
     scan.remissions = tokens.counted_numbers();
-    if (scan.bearing_step == 0.0 && scan.ranges.size() > 1)
-      scan.bearing_step = field_of_view / static_cast<double>(scan.ranges.size() - 1);
+    if (tokens.ok()) builder_.state_bearings(scan, field_of_view, line_);
     return scan;
   }
 

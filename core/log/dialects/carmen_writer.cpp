@@ -97,6 +97,8 @@ void set_parameters(std::map<std::string, std::string>& parameters, const LaserS
       fmt::format("{}", scan.laser == 1 ? normalized_angle(pose.theta - kPi) : pose.theta);
   parameters[names.bearings + "resolution"] = fmt::format("{}", degrees(scan.bearing_step));
   parameters[names.bearings + "fov"] = fmt::format("{}", degrees(-2.0 * scan.first_bearing));
+  if (!fit(-2.0 * scan.first_bearing, scan.bearing_step, scan.ranges.size()))
+    parameters[names.bearings + "first_bearing"] = fmt::format("{}", degrees(scan.first_bearing));
   parameters[names.max_range] = fmt::format("{}", scan.max_range);
 }
 
