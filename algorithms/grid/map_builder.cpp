@@ -105,11 +105,17 @@ OccupancyMap build_map(const SensorLog& log, const Trajectory& map_from_robot,
   return build(scans_of(log), map_from_robot, options);
 }
 
+std::vector<const LaserScan*> scans_for_map(const SensorLog& log, const Trajectory& map_from_robot,
+                                            const MapOptions& options) {
+  check(options);
+  ScanList scans = scans_of(log);
+  check(scans, map_from_robot, options);
+  return scans;
+}
+
 CellBox box_of_beams(const SensorLog& log, const Trajectory& map_from_robot,
                      const MapOptions& options) {
-  check(options);
-  const ScanList scans = scans_of(log);
-  check(scans, map_from_robot, options);
+  const ScanList scans = scans_for_map(log, map_from_robot, options);
   Eigen::AlignedBox2d box;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     for_each_beam(*scans[i], map_from_robot[i].pose, options.beams,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "algorithms/grid/occupancy_map.h"
 #include "algorithms/grid/odds_model.h"
@@ -41,6 +42,10 @@ OccupancyMap build_map(std::span<const LaserScan> scans, const Trajectory& map_f
 // The same of the scans in a log, but for those of lasers that are not level.
 OccupancyMap build_map(const SensorLog& log, const Trajectory& map_from_robot,
                        const MapOptions& options = {});
+
+// The scans of a log that go into its map, one for each pose. Throws as build_map() does.
+std::vector<const LaserScan*> scans_for_map(const SensorLog& log, const Trajectory& map_from_robot,
+                                            const MapOptions& options = {});
 
 // The cells that the lasers and their beams' ends lie in: a map of these scans is no larger, and
 // this is far quicker than to build it.

@@ -117,19 +117,17 @@ OccupancyMap occupancy_map_of(const MapServerMap& map) {
   return result;
 }
 
-void write_map(const std::string& stem, const OccupancyMap& map,
-               const MapServerThresholds& thresholds) {
+void write_map(const std::string& stem, const OccupancyMap& map, MapServerMode mode) {
   const CellBox box = image_box(map, stem);
   const Eigen::Vector2d corner = map.frame().corner_of(box.min);
   MapServerMap file{.occupancy = Image<float>(box.width(), box.height()),
                     .resolution = map.resolution(),
-                    .map_from_image = {corner.x(), corner.y(), 0.0},
-                    .thresholds = thresholds};
+                    .map_from_image = {corner.x(), corner.y(), 0.0}};
   auto pixel = file.occupancy.pixels().begin();
   for (int y = box.max.y; y >= box.min.y; --y) {
     for (int x = box.min.x; x <= box.max.x; ++x) *pixel++ = map[{x, y}].probability;
   }
-  write_map_server(stem, file);
+  write_map_server(stem, file, mode);
 }
 
 OccupancyMap read_map(const std::string& path, std::optional<double> resolution) {

@@ -10,10 +10,11 @@ namespace mapbed {
 
 // Maps from files and into files, in the format of core/image/map_server.h.
 
-// Writes `stem`.pgm and `stem`.yaml, each complete or not at all. Throws InputError where they
-// cannot be written, nothing is known, or the map is too large for a picture.
+// Writes `stem`.pgm and `stem`.yaml, each complete or not at all: trinary, or raw, which keeps the
+// probabilities. Throws InputError where they cannot be written, nothing is known, or the map is
+// too large for a picture.
 void write_map(const std::string& stem, const OccupancyMap& map,
-               const MapServerThresholds& thresholds = {});
+               MapServerMode mode = MapServerMode::trinary);
 
 // A map from NAME.yaml, or from a picture as to_image() draws it, which keeps how likely a cell is
 // occupied. The picture lies where the NAME.yaml beside it says, or its cells are `resolution` [m]

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/check.h"
 #include "core/config/config_node.h"
 #include "core/config/suggestion.h"
 #include "core/config/yaml_scalar.h"
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint8_t kOccupiedGrey = 0;
 constexpr std::uint8_t kUnknownGrey = 205;
+constexpr std::uint8_t kUnknownPercent = 255;  // in mode raw
 constexpr std::uint8_t kFreeGrey = 254;
 
 // 0, 1 and all that YAML calls true or false.
@@ -160,9 +162,14 @@ Image<float> occupancy_of(const Samples& picture, const MapServerFile& file) {
   return occupancy;
 }
 
-void write_map_server(const std::string& stem, const MapServerMap& map) {
+void write_map_server(const std::string& stem, const MapServerMap& map, MapServerMode mode) {
+  CHECK(mode != MapServerMode::scale);
   GrayImage image(map.occupancy.width(), map.occupancy.height());
+  const bool raw = mode == MapServerMode::raw;
   const auto grey_of = [&](float occupancy) {
+    if (raw)
+      return occupancy < 0.0F ? kUnknownPercent
+                              : static_cast<std::uint8_t>(std::lround(100.0F * occupancy));
     if (occupancy > map.thresholds.occupied) return kOccupiedGrey;
     const bool free = occupancy >= 0.0F && occupancy < map.thresholds.free;
     return free ? kFreeGrey : kUnknownGrey;
@@ -170,12 +177,13 @@ void write_map_server(const std::string& stem, const MapServerMap& map) {
   std::transform(map.occupancy.pixels().begin(), map.occupancy.pixels().end(),
                  image.pixels().begin(), grey_of);
   write_pgm(stem + ".pgm", image);
-  write_file(stem + ".yaml",
-             fmt::format("image: {}\nmode: trinary\nresolution: {}\norigin: [{}, {}, {}]\n"
-                         "negate: 0\noccupied_thresh: {}\nfree_thresh: {}\n",
-                         yaml_scalar(fs::path(stem + ".pgm").filename().string()), map.resolution,
-                         map.map_from_image.x, map.map_from_image.y, map.map_from_image.theta,
-                         map.thresholds.occupied, map.thresholds.free));
+  write_file(
+      stem + ".yaml",
+      fmt::format("image: {}\nmode: {}\nresolution: {}\norigin: [{}, {}, {}]\n"
+                  "negate: 0\noccupied_thresh: {}\nfree_thresh: {}\n",
+                  yaml_scalar(fs::path(stem + ".pgm").filename().string()), raw ? "raw" : "trinary",
+                  map.resolution, map.map_from_image.x, map.map_from_image.y,
+                  map.map_from_image.theta, map.thresholds.occupied, map.thresholds.free));
 }
 
 }  // namespace mapbed

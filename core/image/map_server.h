@@ -54,8 +54,9 @@ MapServerMap read_map_server(const std::string& yaml_path);
 // What a picture says under the mode, the sense and the thresholds of a file.
 Image<float> occupancy_of(const Samples& picture, const MapServerFile& file);
 
-// Writes `stem`.pgm and `stem`.yaml in mode trinary, each complete or not at all. Throws InputError
-// where they cannot be written.
-void write_map_server(const std::string& stem, const MapServerMap& map);
+// Writes `stem`.pgm and `stem`.yaml in mode trinary or raw, which keeps probabilities in percent;
+// each complete or not at all. Throws InputError where they cannot be written.
+void write_map_server(const std::string& stem, const MapServerMap& map,
+                      MapServerMode mode = MapServerMode::trinary);
 
 }  // namespace mapbed

@@ -1,0 +1,134 @@
+#include "algorithms/grid/wall_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "algorithms/grid/traversal.h"
+#include "algorithms/scan/surface_points.h"
+#include "core/image/map_server.h"
+
+namespace mapbed {
+namespace {
+
+constexpr OddsModel kLook{.p_occ = 0.7, .p_free = 0.4};
+constexpr double kSurfaceGap = 0.1;  // [m] between hits; larger ones are filled on straight walls
+
+// How many scans saw a surface in the cell, and how many saw through it; which did so last.
+struct Evidence {
+  std::uint16_t surfaces = 0;
+  std::uint16_t passes = 0;
+  std::uint32_t last_surface = 0;  // number of the scan, from 1
+  std::uint32_t last_pass = 0;
+};
+
+double probability_of(const Evidence& cell) {
+  return odds_occupancy(cell.surfaces, cell.passes, kLook);
+}
+
+bool is_occupied(const Evidence& cell) {
+  return cell.surfaces > 0 && probability_of(cell) > MapServerThresholds{}.occupied;
+}
+
+Occupancy occupancy_of_cell(const Evidence& cell) {
+  if (is_occupied(cell)) return known(1.0);
+  const bool seen_through = cell.passes > 0;
+  const bool free = cell.surfaces == 0 || probability_of(cell) < MapServerThresholds{}.free;
+  return seen_through && free ? known(0.0) : Occupancy{};
+}
+
+// How far [m] before its end a beam runs within a cell of the surface that it ends on: the flatter
+// the surface, the farther, by the way to the next hit and the arc between the beams. 0 for all but
+// grazing beams.
+double grazing_length(const LaserScan& scan, std::size_t beam, double cell) {
+  const double range = scan.ranges[beam];
+  const double arc = range * std::abs(scan.bearing_step);
+  double flattest = INFINITY;  // of the steeper of both neighbours, as the other may be an edge
+  for (const std::size_t other : {beam - 1, beam + 1}) {
+    if (other >= scan.ranges.size() || !scan.is_hit(other)) continue;
+    const double depth = scan.ranges[other] - range;
+    flattest = std::min(flattest, std::hypot(depth, arc) / arc);
+  }
+  return std::isinf(flattest) || flattest < 2.0 ? 0.0 : cell * flattest;
+}
+
+// Counts a scan once.
+void count(std::uint16_t& scans, std::uint32_t& last, std::uint32_t scan) {
+  if (last == scan) return;
+  last = scan;
+  if (scans < UINT16_MAX) ++scans;
+}
+
+class EvidenceMap {
+ public:
+  EvidenceMap(const GridFrame& frame, const BeamLimits& limits) : limits_(limits), cells_(frame) {}
+
+  // Surfaces, and what lies before them; scans in one order, numbered from 1.
+  void insert(const LaserScan& scan, const Pose2& map_from_robot, std::uint32_t number) {
+    TiledGrid<Evidence>::Writer writer(cells_);
+    const auto surface =
+        surface_points(scan, limits_.usable_range, kSurfaceGap, 0.5 * cells_.resolution());
+    for (const SurfacePoint& point : surface) {
+      Evidence& cell = writer.at(cells_.cell_of(map_from_robot * point.position));
+      count(cell.surfaces, cell.last_surface, number);
+    }
+    for_each_beam(scan, map_from_robot, limits_, [&](std::size_t n, const Beam& beam) {
+      if (scan.is_max_range(n)) return;
+      const double grazing = beam.hit ? grazing_length(scan, n, cells_.resolution()) : 0.0;
+      const double most = (beam.end - beam.start).norm() - grazing;
+      double done = 0.0;
+      traverse(beam.start, beam.end, cells_.frame(), [&](CellIndex index, double length) {
+        done += length;
+        if (done > most) return;
+        Evidence& cell = writer.at(index);
+        if (cell.last_surface != number) count(cell.passes, cell.last_pass, number);
+      });
+    });
+  }
+
+  // What beams without return cleared, after all scans are in.
+  void clear_without_return(const LaserScan& scan, const Pose2& map_from_robot,
+                            std::uint32_t number) {
+    TiledGrid<Evidence>::Writer writer(cells_);
+    for_each_beam(scan, map_from_robot, limits_, [&](std::size_t n, const Beam& beam) {
+      if (!scan.is_max_range(n)) return;
+      bool met_surface = false;
+      traverse(beam.start, beam.end, cells_.frame(), [&](CellIndex index, double) {
+        met_surface = met_surface || is_at_surface(index);
+        if (met_surface) return;
+        Evidence& cell = writer.at(index);
+        count(cell.passes, cell.last_pass, number);
+      });
+    });
+  }
+
+  OccupancyMap occupancy() const { return occupancy_of(cells_, occupancy_of_cell); }
+
+ private:
+  // Surfaces touch in corners, where a beam slips through.
+  bool is_at_surface(CellIndex c) const {
+    return is_occupied(cells_[c]) || is_occupied(cells_[{c.x - 1, c.y}]) ||
+           is_occupied(cells_[{c.x + 1, c.y}]) || is_occupied(cells_[{c.x, c.y - 1}]) ||
+           is_occupied(cells_[{c.x, c.y + 1}]);
+  }
+
+  BeamLimits limits_;
+  TiledGrid<Evidence> cells_;
+};
+
+}  // namespace
+
+OccupancyMap wall_map(const SensorLog& log, const Trajectory& map_from_robot,
+                      const MapOptions& options) {
+  const std::vector<const LaserScan*> scans = scans_for_map(log, map_from_robot, options);
+  EvidenceMap map(GridFrame{.resolution = options.resolution}, options.beams);
+  for (std::size_t i = 0; i < scans.size(); ++i)
+    map.insert(*scans[i], map_from_robot[i].pose, static_cast<std::uint32_t>(i + 1));
+  for (std::size_t i = 0; i < scans.size(); ++i)
+    map.clear_without_return(*scans[i], map_from_robot[i].pose,
+                             static_cast<std::uint32_t>(scans.size() + i + 1));
+  return map.occupancy();
+}
+
+}  // namespace mapbed
