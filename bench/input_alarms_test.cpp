@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "algorithms/input/geometry_check.h"
 #include "algorithms/input/input_stage.h"
 #include "algorithms/testing/remark_texts.h"
 #include "core/data_path.h"
@@ -42,6 +43,13 @@ TEST_P(CleanRecordedLog, IsNotChangedNorRemarkedOn) {
   std::size_t changed = 0;
   for (std::size_t i = 0; i < log.size(); ++i) changed += are_same(log[i], ready.log[i]) ? 0 : 1;
   EXPECT_EQ(changed, 0U);
+}
+
+TEST_P(CleanRecordedLog, KeepsItsGeometryWithoutARemark) {
+  RecordedLog log = open_log(find_data_file("log", "scenarios/logs", GetParam()).string());
+  const Bearings stated = log.lasers.at(0).bearings;
+  EXPECT_THAT(texts_of(check_geometry(log)), ::testing::IsEmpty());
+  EXPECT_EQ(log.lasers[0].bearings, stated);
 }
 
 INSTANTIATE_TEST_SUITE_P(InputStage, CleanRecordedLog,

@@ -1,6 +1,9 @@
 #include "bench/cli/catalogue.h"
 
+#include <fmt/format.h>
+
 #include "algorithms/grid/map_builder.h"
+#include "algorithms/input/geometry_check.h"
 #include "algorithms/methods.h"
 #include "bench/experiments/experiment.h"
 #include "bench/faults/faults.h"
@@ -77,7 +80,7 @@ std::string text_of(const LogDescription& log) {
                      "\n";
   if (!log.pieces.empty()) text += "pieces:\n";
   for (const std::string& piece : log.pieces) text += "  - " + piece + "\n";
-  return text;
+  return is_here(log) ? text + text_of_log(log.yaml_path) : text;
 }
 
 std::vector<CatalogueEntry> driver_entries() {
@@ -173,6 +176,18 @@ const std::vector<CatalogueShelf>& catalogue() {
       {"settings", "setting", setting_entries},
   };
   return shelves;
+}
+
+std::string text_of_log(const std::string& path) {
+  RecordedLog log = open_log(path);
+  const std::vector<Remark> remarks = check_geometry(log);
+  const double seconds = time_of(log.measurements.back()) - time_of(log.measurements.front());
+  std::string text = fmt::format("format: {}\nmeasurements: {} in {:.1f} s\nlasers:\n", log.format,
+                                 log.measurements.size(), seconds);
+  for (const RecordedLaser& laser : log.lasers) text += "  - " + to_string(laser) + "\n";
+  for (const Remark& remark : remarks) text += "remark: " + remark.text + "\n";
+  for (const LogWarning& warning : log.warnings) text += "warning: " + to_string(warning) + "\n";
+  return text;
 }
 
 }  // namespace mapbed

@@ -22,4 +22,8 @@ struct CatalogueShelf {
 
 const std::vector<CatalogueShelf>& catalogue();
 
+// What the file of a log, or of its description, holds: its lasers, where each of them looks and
+// who says so, and what is odd about it. Throws InputError where it cannot be read.
+std::string text_of_log(const std::string& path);
+
 }  // namespace mapbed

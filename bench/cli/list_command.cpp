@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -44,6 +45,10 @@ int describe(const std::string& name) {
       names.push_back(entry.name);
     }
   }
+  if (std::filesystem::is_regular_file(name)) {
+    fmt::print("{} (log)\n{}", name, text_of_log(name));
+    return kDone;
+  }
   throw InputError({}, "there is nothing called '" + name + "'", suggestion(name, names));
 }
 
@@ -67,10 +72,10 @@ Command list_command() {
 Command describe_command() {
   const auto name = std::make_shared<std::string>();
   return {.name = "describe",
-          .help = "Show every option of a thing: default, unit, meaning",
+          .help = "Show every option of a thing: default, unit, meaning; what a log holds",
           .options = {{.name = "NAME",
                        .target = name.get(),
-                       .help = "a name that 'mapbed list' shows",
+                       .help = "a name that 'mapbed list' shows, or the file of a log",
                        .is_required = true}},
           .run = [name] { return describe(*name); }};
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/input/geometry_check.h"
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/interrupt.h"
@@ -119,6 +120,7 @@ void print_log(const std::string& path, const RecordedLog& log, double seconds) 
   fmt::print("{}: {}, {} scans, {} odometry readings, {:.1f} s recorded; read in {:.2f} s\n", path,
              log.format, scans, readings,
              time_of(log.measurements.back()) - time_of(log.measurements.front()), seconds);
+  for (const RecordedLaser& laser : log.lasers) fmt::print("{}\n", to_string(laser));
   for (const LogWarning& warning : log.warnings) {
     fmt::print(stderr, "warning: {}\n", to_string(warning));
   }
@@ -155,8 +157,10 @@ int map_log(const MapArguments& arguments) {
   const std::string folder = folder_for(arguments);
   check_folder(folder);  // refused before the log is read
   RecordedLog log = while_told("reading", [&] { return load_log(chosen.path, config.log); });
+  const std::vector<Remark> of_geometry = check_geometry(log);
   print_log(arguments.log, log, stopwatch.seconds());
-  const PreparedLog prepared = mapbed::prepared(std::move(log.measurements), config.input);
+  PreparedLog prepared = mapbed::prepared(std::move(log.measurements), config.input);
+  prepared.remarks.insert(prepared.remarks.begin(), of_geometry.begin(), of_geometry.end());
   const OutputFolder made(folder);
   const FolderLock lock(folder);
 

@@ -60,6 +60,21 @@ TEST_F(MapCommand, WritesMapTrajectoryAndFiguresBesideTheCaller) {
   EXPECT_THAT(text("room_map/cost.csv"), StartsWith("scans,recorded_s,"));
 }
 
+TEST_F(MapCommand, SaysWhereTheLaserLooksAndWhoSaysSo) {
+  const std::string laser = "front laser: 181 beams, 1 deg from -90 deg (its lines), at (0 m, ";
+  EXPECT_THAT(run({"--out", "a"}).out, HasSubstr(laser));
+  EXPECT_THAT(text("a/summary.json"), HasSubstr(laser));
+  EXPECT_THAT(run_mapbed({"describe", path("room.log")}).out, HasSubstr(laser));
+}
+
+TEST_F(MapCommand, WritesClosedWallsForMapServersOrTheModelsValues) {
+  ASSERT_EQ(run({"--out", "a"}).status, 0);
+  EXPECT_THAT(text("a/map.yaml"), HasSubstr("mode: trinary"));
+  ASSERT_EQ(run({"--out", "b", "--set", "map_file=graded"}).status, 0);
+  EXPECT_THAT(text("b/map.yaml"), HasSubstr("mode: raw"));
+  EXPECT_EQ(text("a/trajectory.tum"), text("b/trajectory.tum"));
+}
+
 TEST_F(MapCommand, TellsWhichLogItIsOf) {
   ASSERT_EQ(run({"--out", "a"}).status, 0);
   EXPECT_THAT(text("a/summary.json"),

@@ -11,10 +11,13 @@
 
 namespace mapbed {
 
+enum class MapFileKind : int { walls, graded };
+
 // Everything that decides what `mapbed map` makes of a log.
 //
 //   method: scan_matching
 //   seed: 1
+//   map_file: walls # what map.pgm holds
 //   log:            # how the log is read
 //     max_range: 50 m
 //   input:          # what of it a method may believe
@@ -26,6 +29,7 @@ namespace mapbed {
 struct MapConfig {
   std::string method = "scan_matching";
   std::uint64_t seed = 1;
+  MapFileKind map_file = MapFileKind::walls;
   LogOptions log = {};
   InputOptions input = {};
   MapOptions map = {};
@@ -36,6 +40,9 @@ template <class Visitor>
 void visit_fields(MapConfig& o, Visitor&& visit) {
   visit("method", o.method, "who finds the trajectory; 'mapbed list methods'");
   visit("seed", o.seed, "of all chance");
+  visit("map_file", o.map_file, {"walls", "graded"},
+        "what map.pgm says of a cell: occupied, free or unknown, with closed walls (mode trinary); "
+        "or map.model's value in percent (mode raw)");
   visit("log", o.log, "how the log is read");
   visit("input", o.input, "how what its sensors tell is prepared for methods");
   visit("map", o.map, "how the map is made of scans and poses");

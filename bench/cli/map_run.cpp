@@ -10,6 +10,7 @@
 
 #include "algorithms/grid/map_file.h"
 #include "algorithms/grid/map_image.h"
+#include "algorithms/grid/wall_map.h"
 #include "bench/plot/map_picture.h"
 #include "bench/process/foreign_files.h"
 #include "bench/process/process_cost.h"
@@ -73,11 +74,13 @@ std::string summary_json(const std::string& log_name, const RecordedLog& log, co
       {"resolution_m", run.map.resolution()},
       {"map_width_m", box.empty() ? 0.0 : box.width() * run.map.resolution()},
       {"map_height_m", box.empty() ? 0.0 : box.height() * run.map.resolution()},
+      {"lasers", nlohmann::ordered_json::array()},
       {"remarks", nlohmann::ordered_json::array()},
       {"warnings", nlohmann::ordered_json::array()},
       {"mapbed", version().program},
       {"revision", version().revision},
   };
+  for (const RecordedLaser& laser : log.lasers) json["lasers"].push_back(to_string(laser));
   for (const Remark& remark : run.estimate.remarks) json["remarks"].push_back(remark.text);
   for (const LogWarning& warning : log.warnings) json["warnings"].push_back(to_string(warning));
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -94,9 +97,16 @@ void check_size_of_first_scan(const SensorLog& log, const MapOptions& options) {
   }
 }
 
-OccupancyMap map_of(const SensorLog& log, const Trajectory& trajectory, const MapOptions& options) {
-  check_image_size(box_of_beams(log, trajectory, options), options.resolution);
-  return build_map(log, trajectory, options);
+struct Maps {
+  OccupancyMap map, walls;
+};
+
+Maps maps_of(const SensorLog& log, const Trajectory& trajectory, const MapConfig& config) {
+  check_image_size(box_of_beams(log, trajectory, config.map), config.map.resolution);
+  OccupancyMap map = build_map(log, trajectory, config.map);
+  OccupancyMap walls =
+      config.map_file == MapFileKind::walls ? wall_map(log, trajectory, config.map) : map;
+  return {std::move(map), std::move(walls)};
 }
 
 }  // namespace
@@ -119,19 +129,20 @@ MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
     return SensorLog(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(taken));
   };
   const bool whole = taken == log.size();
-  OccupancyMap map = whole ? map_of(log, estimate.trajectory, config.map)
-                           : map_of(part_of_log(), estimate.trajectory, config.map);
+  Maps maps = whole ? maps_of(log, estimate.trajectory, config)
+                    : maps_of(part_of_log(), estimate.trajectory, config);
   cost.mapping = mapping.seconds();
   cost.scans = static_cast<int>(estimate.trajectory.size());
   if (cost.scans > 0) {
     cost.seconds_recorded = estimate.trajectory.back().time - estimate.trajectory.front().time;
   }
-  return {config, std::move(estimate), std::move(map), count_scans(log), cost};
+  return {config, std::move(estimate), std::move(maps.map), std::move(maps.walls), count_scans(log),
+          cost};
 }
 
 void write_map_run(const std::string& folder, const std::string& log_name, const RecordedLog& log,
                    const MapRun& run) {
-  if (known_box(run.map).empty()) {
+  if (known_box(run.walls).empty()) {
     throw InputError({log_name},
                      "no beam of any scan counts, so there is no map: the laser sees nothing, or "
                      "all beams are longer than the usable range",
@@ -141,8 +152,10 @@ void write_map_run(const std::string& folder, const std::string& log_name, const
   write_trajectory(coming.add("trajectory.tum"), run.estimate.trajectory);
   coming.add("map.pgm");
   const std::string yaml = coming.add("map.yaml");
-  write_map(yaml.substr(0, yaml.rfind('.')), run.map);
-  write_png(coming.add("map.png"), to_image(run.map));
+  const bool graded = run.config.map_file == MapFileKind::graded;
+  write_map(yaml.substr(0, yaml.rfind('.')), run.walls,
+            graded ? MapServerMode::raw : MapServerMode::trinary);
+  write_png(coming.add("map.png"), to_image(run.map, image_box(run.walls)));
   write_png(coming.add("picture.png"),
             picture_of(run.map, {{run.config.method, run.estimate.trajectory}}));
   write_file(coming.add("config.yaml"), to_yaml(run.config));

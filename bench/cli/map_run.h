@@ -24,7 +24,8 @@ struct MapCost {
 struct MapRun {
   MapConfig config;
   Estimate estimate;
-  OccupancyMap map;
+  OccupancyMap map;      // of config.map's model
+  OccupancyMap walls;    // what map.pgm shows: see wall_map.h, or the map itself
   int scans_in_log = 0;  // more than poses in the estimate: it was interrupted
   MapCost cost;
   std::string log_sha256 = {};  // of the log's file; empty where there is none to be read again
@@ -40,7 +41,8 @@ MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
 // The folder's files, all of them or none; an older map's are there until then:
 //
 //   trajectory.tum      a pose for each scan, by the log's own absolute stamps
-//   map.pgm, map.yaml   for map servers; map.png the same picture
+//   map.pgm, map.yaml   for map servers: closed walls, or the model's values (map_file)
+//   map.png             the model's values as greys, of the same cells
 //   picture.png         for people: trajectory, scale bar, legend
 //   config.yaml         complete; `mapbed map LOG --config` of it repeats the run
 //   cost.csv            time and memory

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/input/geometry_check.h"
 #include "bench/metrics/pairs.h"
 #include "bench/sources/source_settings.h"
 #include "core/config/yaml_scalar.h"
@@ -52,7 +53,9 @@ Settings faults_of(const Settings& settings) {
 
 RecordedLog read(const RecordedPlan& plan, const GoesOn& goes_on = {}) {
   check_unchanged(plan.log);
-  return load_log(plan.log.path, plan.options, goes_on);
+  RecordedLog log = load_log(plan.log.path, plan.options, goes_on);
+  (void)check_geometry(log);
+  return log;
 }
 
 class RecordedSource : public LogSource {
