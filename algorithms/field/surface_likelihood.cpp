@@ -75,20 +75,6 @@ ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions
   return result;
 }
 
-ScanForWeighting without_hits(const ScanForWeighting& scan, const std::vector<bool>& left_out) {
-  ScanForWeighting result{.hits = {},
-                          .hit_weights = {},
-                          .free = scan.free,
-                          .free_weights = scan.free_weights,
-                          .surface = {}};
-  for (std::size_t i = 0; i < scan.hits.size(); ++i) {
-    if (left_out[i]) continue;
-    result.hits.push_back(scan.hits[i]);
-    if (!scan.hit_weights.empty()) result.hit_weights.push_back(scan.hit_weights[i]);
-  }
-  return result;
-}
-
 SurfaceLikelihood::SurfaceLikelihood(const SurfaceLikelihoodOptions& options)
     : options_(options), mixture_(options.sigma, options.inlier_ratio, kReach, kMixtureSteps) {}
 

@@ -56,9 +56,6 @@ ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions
                                     const SurfaceLikelihoodOptions& options, double map_resolution,
                                     std::span<const float> beam_weights = {});
 
-// The same scan, but that some of its hits weight nothing.
-ScanForWeighting without_hits(const ScanForWeighting& scan, const std::vector<bool>& left_out);
-
 // The optimum of ln p(z | x, m) + ln p(x) near a start, by Gauss-Newton, and the Gaussian about it.
 struct LocalPosterior {
   Pose2 mode;

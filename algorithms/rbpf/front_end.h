@@ -37,10 +37,6 @@ class FrontEnd {
   };
   void add(const Odometry& odometry);
   Result add(const LaserScan& scan, std::span<const float> beam_weights = {});
-  // Of a scan that is to be added next: IncrementalMatcher.
-  std::vector<bool> at_edge(const LaserScan& scan, const std::vector<Eigen::Vector2d>& hits) const {
-    return matcher_.at_edge(scan, hits);
-  }
 
   bool newest_is_matched() const { return newest_.matched; }  // false: it fits nowhere near
   // Scans to come are matched with the newest one alone, not with what was seen before, so that at

@@ -42,20 +42,18 @@ void GridSlam::add(const Measurement& measurement, std::span<const float> beam_w
 
 void GridSlam::add_scan(const LaserScan& scan, std::span<const float> beam_weights) {
   const std::vector<Eigen::Vector2d> hits = hit_points(scan, options_.points);
-  const std::vector<bool> at_edge = front_end_.at_edge(scan, hits);
   const FrontEnd::Result condensed = front_end_.add(scan, beam_weights);
   // A laser that told nothing new is not blind.
   diagnostics_.scan(scan.time, condensed.step, hits.size() >= kMinHits || scan.ranges.empty());
-  if (condensed.update) update(scan, beam_weights, at_edge, *condensed.update);
+  if (condensed.update) update(scan, beam_weights, *condensed.update);
   if (!options_.refinement.enabled) return;
   KeptHits& kept = hits_.emplace_back();
   if (condensed.update) return;
   for (const Eigen::Vector2d& hit : hits) kept.push_back(hit.cast<float>());
 }
 
-// Hits at the edge of what was seen of late say nothing of the motion: they enter maps only.
 void GridSlam::update(const LaserScan& scan, std::span<const float> beam_weights,
-                      const std::vector<bool>& at_edge, const UpdateMotion& motion) {
+                      const UpdateMotion& motion) {
   weighting_scans_.push_back(scan_for_weighting(scan, options_.points, options_.likelihood,
                                                 options_.map_resolution, beam_weights));
   updates_.push_back({.time = scan.time});
@@ -65,13 +63,12 @@ void GridSlam::update(const LaserScan& scan, std::span<const float> beam_weights
     start();
     return;
   }
-  const ScanForWeighting weighting = without_hits(prepared_scan, at_edge);
   const std::vector<double> weights_before = log_weights();
   const ScanForWeighting& scan_before = weighting_scans_[number - 1];
   tbb::parallel_for(std::size_t{0}, particles_.size(), [&](std::size_t i) {
     Rng own = rng_.stream("particle", i, number);
     particles_[i].map.add(scan_before.surface, particles_[i].history->pose);
-    move_and_weight(particles_[i], weighting, motion, own);
+    move_and_weight(particles_[i], prepared_scan, motion, own);
   });
   const bool sees = prepared_scan.hits.size() >= kMinHits;
   if (sees && relocalized(prepared_scan, weights_before)) return;

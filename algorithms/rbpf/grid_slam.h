@@ -53,7 +53,7 @@ class GridSlam : public Estimator {
  private:
   void add_scan(const LaserScan& scan, std::span<const float> beam_weights);
   void update(const LaserScan& scan, std::span<const float> beam_weights,
-              const std::vector<bool>& at_edge, const UpdateMotion& motion);
+              const UpdateMotion& motion);
   void start();
   void move_and_weight(Particle& particle, const ScanForWeighting& scan, const UpdateMotion& motion,
                        Rng& rng) const;

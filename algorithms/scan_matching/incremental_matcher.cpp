@@ -251,12 +251,6 @@ ScanMatch IncrementalMatcher::searched_widely(const Hits& hits, const Prediction
   return refined.inlier_ratio >= options_.wide_search.min_inlier_ratio ? refined : match;
 }
 
-std::vector<bool> IncrementalMatcher::at_edge(const LaserScan& scan,
-                                              const std::vector<Eigen::Vector2d>& hits) const {
-  if (trajectory_.empty() || local_scans_.empty()) return std::vector<bool>(hits.size(), false);
-  return local_scans_.at_edge(hits, scan.robot_from_laser.planar, predicted(scan.time).prior.mean);
-}
-
 void IncrementalMatcher::forget_past(bool keep_newest) {
   local_scans_.forget_past(keep_newest);
 }

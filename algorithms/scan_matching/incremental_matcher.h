@@ -39,10 +39,6 @@ class IncrementalMatcher : public Estimator {
   // Where a scan would be put; it is not remembered.
   ScanMatch match(const LaserScan& scan, std::span<const float> beam_weights = {});
 
-  // Which of the scan's hits [m in the robot frame] lie at the edge of what the local map knows,
-  // where the robot is predicted: LocalScans.
-  std::vector<bool> at_edge(const LaserScan& scan, const std::vector<Eigen::Vector2d>& hits) const;
-
   // Goes on without the local map, but for its newest scan where that is kept: as after scans that
   // do not fit what was seen before.
   void forget_past(bool keep_newest);

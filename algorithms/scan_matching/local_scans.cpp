@@ -47,26 +47,6 @@ std::vector<bool> LocalScans::known(const std::vector<Eigen::Vector2d>& hits,
   return result;
 }
 
-std::vector<bool> LocalScans::at_edge(const std::vector<Eigen::Vector2d>& hits,
-                                      const Pose2& robot_from_laser, const Pose2& predicted) const {
-  std::vector<bool> result = known(hits, robot_from_laser, predicted);
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    result[i] = !result[i] && is_near_surface(predicted * hits[i]);
-  }
-  return result;
-}
-
-// Within about half a metre: the field reaches 3 sigma, and the points about are looked at too.
-bool LocalScans::is_near_surface(const Eigen::Vector2d& point) const {
-  constexpr double kAway = 0.3;  // [m]
-  for (int i = -1; i <= 1; ++i) {
-    for (int j = -1; j <= 1; ++j) {
-      if (field_.surface_at(point + kAway * Eigen::Vector2d(i, j))) return true;
-    }
-  }
-  return false;
-}
-
 const BoundPyramid& LocalScans::pyramid(double window) {
   if (!pyramid_is_current_) remake_bound_pyramid(field_, window, pyramid_);
   pyramid_is_current_ = true;

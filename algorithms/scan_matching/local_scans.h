@@ -37,15 +37,10 @@ class LocalScans {
   // tried, a hit would gain by leaving the ground that is known.
   std::vector<bool> known(const std::vector<Eigen::Vector2d>& hits, const Pose2& robot_from_laser,
                           const Pose2& predicted) const;
-  // Those that say nothing and would pull the robot back: next to where a surface ends because
-  // nobody has looked farther.
-  std::vector<bool> at_edge(const std::vector<Eigen::Vector2d>& hits, const Pose2& robot_from_laser,
-                            const Pose2& predicted) const;
   const BoundPyramid& pyramid(double window);  // of the field, made when first needed
   const IcpMap& icp_map();                     // the same for ICP
 
  private:
-  bool is_near_surface(const Eigen::Vector2d& point) const;
   void forget_oldest(std::size_t count);
 
   LocalMapOptions options_;

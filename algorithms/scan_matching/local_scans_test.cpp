@@ -22,17 +22,16 @@ LocalScans of_one_scan(const TestRoom& room) {
 
 // Walls 1 m to either side, whose farthest hit is 7.9 m ahead: their next hits
 // would say that the robot is still behind.
-TEST(LocalScans, HaveAnEdgeWhereWallsWereSeenNoFarther) {
+TEST(LocalScans, DoNotKnowTheGroundBeyondWhereWallsWereSeen) {
   const LocalScans scans = of_one_scan(corridor(60.0));
   const std::vector<Eigen::Vector2d> hits = {{3.0, 1.0}, {8.2, 1.0}, {8.2, -1.0}, {20.0, 1.0}};
-  EXPECT_THAT(scans.at_edge(hits, {}, {}), ElementsAre(false, true, true, false));
   EXPECT_THAT(scans.known(hits, {}, {}), ElementsAre(true, false, false, false));
 }
 
-TEST(LocalScans, HaveNoEdgeInAClosedRoom) {
+TEST(LocalScans, KnowAClosedRoomAndThatNoBeamLeavesIt) {
   const LocalScans scans = of_one_scan(rectangular_room(6.0, 6.0));
   const std::vector<Eigen::Vector2d> hits = {{3.0, 0.0}, {3.2, 0.0}, {3.4, 1.0}, {2.0, 1.0}};
-  EXPECT_THAT(scans.at_edge(hits, {}, {}), ElementsAre(false, false, false, false));
+  EXPECT_THAT(scans.known(hits, {}, {}), ElementsAre(true, true, true, true));
 }
 
 TEST(LocalScans, KnowNothingOnceThePastIsForgotten) {
