@@ -14,7 +14,9 @@ ObservedGround::Outline ObservedGround::outline_of(const LaserScan& scan, double
   const auto reach = [&](std::size_t beam) {
     return std::clamp(scan.ranges[beam], 0.0, std::min(scan.max_range, max_range));
   };
-  const auto at = [&](std::size_t beam, double range) {
+  const bool is_of_one_place = scan.robot_from_beams.empty();
+  const auto at = [&](std::size_t beam, double range) -> Eigen::Vector2d {
+    if (!is_of_one_place) return map_from_robot * scan.point_on(beam, range);
     const double bearing = scan.bearing(beam);
     return map_from_laser * Eigen::Vector2d(range * std::cos(bearing), range * std::sin(bearing));
   };

@@ -68,9 +68,7 @@ ScanForWeighting scan_for_weighting(const LaserScan& scan, const HitPointOptions
   for (std::size_t beam = 0; beam < scan.ranges.size(); beam += every) {
     if (!scan.is_max_range(beam)) continue;
     if (!beam_weights.empty()) result.free_weights.push_back(beam_weights[beam]);
-    const double bearing = scan.bearing(beam);
-    result.free.push_back(scan.robot_from_laser.planar *
-                          Eigen::Vector2d(end * std::cos(bearing), end * std::sin(bearing)));
+    result.free.push_back(scan.point_on(beam, end));
   }
   return result;
 }

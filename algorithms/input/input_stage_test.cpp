@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/angle.h"
 #include "core/testing/test_room.h"
 
 namespace mapbed {
@@ -25,6 +26,75 @@ TEST(InputStage, DoesNotChangeWhatIsInOrder) {
   ASSERT_EQ(ready.log.size(), log.size());
   for (std::size_t i = 0; i < log.size(); ++i) EXPECT_TRUE(are_same(ready.log[i], log[i])) << i;
   EXPECT_TRUE(ready.remarks.empty());
+}
+
+// Scans of a front and a rear laser at each stamp, and odometry that the robot has driven.
+SensorLog log_of_two_lasers(double rear_after) {
+  SensorLog log;
+  for (int i = 0; i < 30; ++i) {
+    const double time = 0.2 * i;
+    LaserScan scan{.time = time, .bearing_step = 0.02, .max_range = 8.0};
+    scan.ranges.assign(100, 2.0 + 0.01 * i);
+    log.push_back(Odometry{.time = time, .odometry_from_robot = {0.05 * i, 0.0, 0.0}});
+    log.push_back(scan);
+    scan.time += rear_after;
+    scan.laser = 1;
+    scan.robot_from_laser.planar = {-0.2, 0.0, kPi};
+    log.push_back(scan);
+  }
+  return log;
+}
+
+TEST(InputStage, GivesOneScanForEachInstantOfSeveralLasers) {
+  for (const double after : {0.0, 0.003}) {
+    const PreparedLog ready = prepared(log_of_two_lasers(after));
+    ASSERT_EQ(ready.log.size(), 60U);
+    for (std::size_t i = 0; i < 60; i += 2) {
+      EXPECT_TRUE(std::holds_alternative<Odometry>(ready.log[i]));
+      const auto& scan = std::get<LaserScan>(ready.log[i + 1]);
+      EXPECT_EQ(scan.time, time_of(ready.log[i]));
+      EXPECT_EQ(scan.ranges.size(), 200U);
+      EXPECT_EQ(scan.robot_from_beams.size(), 200U);
+    }
+    EXPECT_TRUE(ready.remarks.empty());
+  }
+}
+
+TEST(InputStage, LeavesScansOfSeveralInstantsApart) {
+  const PreparedLog ready = prepared(log_of_two_lasers(0.1));
+  ASSERT_EQ(ready.log.size(), 90U);
+  for (const Measurement& measurement : ready.log) {
+    const auto* scan = std::get_if<LaserScan>(&measurement);
+    if (scan == nullptr) continue;
+    EXPECT_EQ(scan->ranges.size(), 100U);
+  }
+}
+
+// Sweeps of 0.15 s of a robot that turns; odometry ten times a second.
+TEST(InputStage, HoldsSweepsBackUntilOdometryReachesTheirEnd) {
+  InputStage stage;
+  SensorLog out;
+  const auto add = [&](Measurement measurement) {
+    for (Measurement& ready : stage.add(std::move(measurement))) out.push_back(std::move(ready));
+  };
+  for (int i = 0; i < 20; ++i) {
+    const double time = 0.1 * i;
+    add(Odometry{.time = time, .odometry_from_robot = {0.0, 0.0, 0.1 * i}});
+    if (i % 2 == 1) continue;
+    LaserScan scan{.time = time, .bearing_step = 0.02, .beam_period = 0.0015, .max_range = 8.0};
+    for (int beam = 0; beam < 101; ++beam) scan.ranges.push_back(2.0 + 0.001 * i + 0.01 * beam);
+    add(scan);
+  }
+  for (Measurement& ready : stage.finish()) out.push_back(std::move(ready));
+  ASSERT_EQ(out.size(), 30U);
+  for (std::size_t i = 1; i < out.size(); ++i) EXPECT_LE(time_of(out[i - 1]), time_of(out[i]));
+  for (const Measurement& measurement : out) {
+    const auto* scan = std::get_if<LaserScan>(&measurement);
+    if (scan == nullptr || scan->time > 1.75) continue;  // no odometry after the last one
+    ASSERT_EQ(scan->robot_from_beams.size(), 101U);
+    // The last beam: 0.15 s later, at 1 rad/s.
+    EXPECT_NEAR(scan->robot_from_beams.back().theta, 100 * 0.02 + 0.15, 1e-9);
+  }
 }
 
 TEST(InputStage, TakesAnEmptyLog) {

@@ -44,15 +44,19 @@ void for_each_beam(const LaserScan& scan, const Pose2& map_from_robot, const Bea
                    Visitor&& visit) {
   CHECK(is_finite(map_from_robot));
   const Pose2 map_from_laser = map_from_robot * scan.robot_from_laser.planar;
-  const Eigen::Vector2d start(map_from_laser.x, map_from_laser.y);
+  const bool is_of_one_place = scan.robot_from_beams.empty();
   for (std::size_t n = 0; n < scan.ranges.size(); ++n) {
     const double range = scan.ranges[n];
     if (!(range > 0.0)) continue;
     if (scan.is_max_range(n) && scan.max_range > limits.no_return_range) continue;
     const bool hit = scan.is_hit(n) && range <= limits.usable_range;
     const double length = std::min({range, scan.max_range, limits.usable_range});
-    const double angle = map_from_laser.theta + scan.bearing(n);
-    const Eigen::Vector2d end = start + length * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const Pose2 beam = is_of_one_place ? Pose2{map_from_laser.x, map_from_laser.y,
+                                               map_from_laser.theta + scan.bearing(n)}
+                                       : map_from_robot * scan.robot_from_beams[n];
+    const Eigen::Vector2d start = beam.position();
+    const Eigen::Vector2d end =
+        start + length * Eigen::Vector2d(std::cos(beam.theta), std::sin(beam.theta));
     visit(n, Beam{start, end, hit});
   }
 }

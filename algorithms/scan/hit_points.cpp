@@ -35,14 +35,19 @@ std::vector<std::size_t> spaced_evenly(const std::vector<Eigen::Vector2d>& hits,
 std::vector<Eigen::Vector2d> all_hit_points(const LaserScan& scan, double max_range) {
   std::vector<Eigen::Vector2d> points;
   points.reserve(scan.ranges.size());
+  const bool is_of_one_place = scan.robot_from_beams.empty();
   for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
     if (!is_near_hit(scan, beam, max_range)) continue;
+    if (!is_of_one_place) {
+      points.push_back(scan.point_on(beam, scan.ranges[beam]));
+      continue;
+    }
     const double range = scan.ranges[beam];
     const double bearing = scan.bearing(beam);
     points.emplace_back(range * std::cos(bearing), range * std::sin(bearing));
   }
   const Pose2& robot_from_laser = scan.robot_from_laser.planar;
-  if (robot_from_laser == Pose2{}) return points;
+  if (!is_of_one_place || robot_from_laser == Pose2{}) return points;
   return transformed(points, robot_from_laser);
 }
 

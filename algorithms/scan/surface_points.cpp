@@ -116,10 +116,7 @@ std::vector<SurfacePoint> surface_points(const LaserScan& scan, double max_range
       finish_run();
       continue;
     }
-    const double bearing = scan.bearing(beam);
-    const Eigen::Vector2d point =
-        scan.robot_from_laser.planar *
-        Eigen::Vector2d(range * std::cos(bearing), range * std::sin(bearing));
+    const Eigen::Vector2d point = scan.point_on(beam, range);
     const double reach = std::max(max_gap, kMaxArcs * range * std::abs(scan.bearing_step));
     if (!run.empty() && (point - run.back()).norm() > reach) finish_run();
     run.push_back(point);
