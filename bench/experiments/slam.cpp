@@ -127,7 +127,9 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
     outcome.files.push_back(picture_file(input, evaluator));
     const Trajectory& path = evaluator.world_from_robot();
     outcome.files.push_back({"trajectories/estimate.tum", tum_text(path)});
-    outcome.files.push_back(replay_file(input, setup.options.estimator, path));
+    // What the laser said, as it came.
+    const RunInput as_recorded = shortened(whole_input, setup.options.longest);
+    outcome.files.push_back(replay_file(as_recorded, setup.options.estimator, path));
   }
   return outcome;
 }
