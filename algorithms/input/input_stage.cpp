@@ -143,9 +143,12 @@ std::vector<Remark> InputStage::remarks() const {
 
 PreparedLog prepared(SensorLog log, const InputOptions& options) {
   PreparedLog result;
-  const std::optional<double> lag = odometry_lag(log);
+  const InputFindings findings = findings_in(log, options);
+  // In the mean, beams are taken half a sweep after the stamp: as if odometry were early or late.
+  const std::optional<double> lag =
+      findings.periods.empty() ? odometry_lag(log) : std::optional<double>{};
   if (lag) log = without_lag(std::move(log), *lag);
-  InputStage stage(options, findings_in(log, options));
+  InputStage stage(options, findings);
   result.log.reserve(log.size());
   for (Measurement& measurement : log) append(stage.add(std::move(measurement)), result.log);
   append(stage.finish(), result.log);

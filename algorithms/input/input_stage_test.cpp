@@ -1,7 +1,11 @@
 #include "algorithms/input/input_stage.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "algorithms/testing/furnished_room.h"
 #include "core/geometry/angle.h"
 #include "core/testing/test_room.h"
 
@@ -95,6 +99,32 @@ TEST(InputStage, HoldsSweepsBackUntilOdometryReachesTheirEnd) {
     // The last beam: 0.15 s later, at 1 rad/s.
     EXPECT_NEAR(scan->robot_from_beams.back().theta, 100 * 0.02 + 0.15, 1e-9);
   }
+}
+
+// Turns now and then, and takes its beams one after the other: a lag of odometry would explain a
+// part of it.
+TEST(InputStage, DoesNotTakeASweepForALagOfOdometry) {
+  const TestRoom room = furnished_room();
+  const auto pose = [](double time) {
+    const double turned = std::floor(time / 2.0) + std::clamp(std::fmod(time, 2.0) - 1.0, 0.0, 1.0);
+    return Pose2{0.5, 0.2, normalized_angle(1.5 * turned)};
+  };
+  SensorLog log;
+  for (int i = 0; i < 120; ++i) {
+    const double time = 0.18 * i;
+    LaserScan scan{
+        .time = time, .first_bearing = -kPi, .bearing_step = kPi / 60.0, .max_range = 20.0};
+    for (std::size_t beam = 0; beam < 120; ++beam) {
+      const Pose2 here = pose(time + 0.0015 * static_cast<double>(beam));
+      scan.ranges.push_back(
+          room.distance_to_wall(here.position(), here.theta + scan.bearing(beam)));
+    }
+    log.push_back(Odometry{.time = time, .odometry_from_robot = pose(time)});
+    log.push_back(std::move(scan));
+  }
+  const PreparedLog ready = prepared(std::move(log));
+  ASSERT_EQ(ready.remarks.size(), 1U);
+  EXPECT_EQ(ready.remarks[0].kind, RemarkKind::skewed_sweep);
 }
 
 TEST(InputStage, TakesAnEmptyLog) {
