@@ -122,12 +122,13 @@ std::vector<Measurement> InputStage::ready(bool is_over) {
       const std::vector<std::size_t> instant = this->instant();
       if (!is_over && !is_complete(instant)) break;
       LaserScan scan = taken(instant);
-      result.emplace_back(std::move(scan));
+      append(odometry_at_scans_.add(std::move(scan)), result);
     } else {
-      result.push_back(std::move(waiting_.front()));
+      append(odometry_at_scans_.add(std::move(waiting_.front())), result);
     }
     waiting_.pop_front();
   }
+  if (is_over) append(odometry_at_scans_.finish(), result);
   return result;
 }
 
@@ -145,15 +146,15 @@ PreparedLog prepared(SensorLog log, const InputOptions& options) {
   PreparedLog result;
   const InputFindings findings = findings_in(log, options);
   // In the mean, beams are taken half a sweep after the stamp: as if odometry were early or late.
-  const std::optional<double> lag =
-      findings.periods.empty() ? odometry_lag(log) : std::optional<double>{};
-  if (lag) log = without_lag(std::move(log), *lag);
+  std::optional<double> lag;
+  if (findings.periods.empty()) lag = odometry_lag(log);
+  if (lag.has_value()) log = without_lag(std::move(log), lag.value());
   InputStage stage(options, findings);
   result.log.reserve(log.size());
   for (Measurement& measurement : log) append(stage.add(std::move(measurement)), result.log);
   append(stage.finish(), result.log);
   result.remarks = stage.remarks();
-  if (lag) result.remarks.push_back(remark_on_lag(*lag));
+  if (lag.has_value()) result.remarks.push_back(remark_on_lag(lag.value()));
   return result;
 }
 

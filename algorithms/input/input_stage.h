@@ -9,6 +9,7 @@
 #include "algorithms/estimator.h"
 #include "algorithms/input/beam_census.h"
 #include "algorithms/input/no_return_pile.h"
+#include "algorithms/input/odometry_at_scans.h"
 #include "algorithms/input/odometry_check.h"
 #include "algorithms/input/repeated_scans.h"
 #include "algorithms/input/scan_fusion.h"
@@ -49,7 +50,7 @@ InputFindings findings_in(const SensorLog& log, const InputOptions& options);
 
 // Stands in front of a method: takes what sensors tell and gives what a method may believe, one
 // scan for each instant, in order of time. What is in order is not changed. A scan is held back
-// until its instant is over, and until odometry tells where its last beam was taken.
+// until its instant is over, and until odometry tells where it and its last beam were taken.
 class InputStage {
  public:
   explicit InputStage(const InputOptions& options = {}, const InputFindings& findings = {});
@@ -75,6 +76,7 @@ class InputStage {
   double newest_ = -std::numeric_limits<double>::infinity();  // [s]
   std::deque<Measurement> waiting_;                           // in order of time
   Trajectory recent_;                                         // odometry_from_robot
+  OdometryAtScans odometry_at_scans_;
 };
 
 struct PreparedLog {

@@ -66,11 +66,28 @@ TEST(InputStage, GivesOneScanForEachInstantOfSeveralLasers) {
 
 TEST(InputStage, LeavesScansOfSeveralInstantsApart) {
   const PreparedLog ready = prepared(log_of_two_lasers(0.1));
-  ASSERT_EQ(ready.log.size(), 90U);
+  int scans = 0;
   for (const Measurement& measurement : ready.log) {
     const auto* scan = std::get_if<LaserScan>(&measurement);
     if (scan == nullptr) continue;
+    ++scans;
     EXPECT_EQ(scan->ranges.size(), 100U);
+  }
+  EXPECT_EQ(scans, 60);
+}
+
+TEST(InputStage, TellsWhereTheRobotIsAtEachScanBetweenTwoReadings) {
+  SensorLog log;
+  for (int i = 0; i < 10; ++i) {
+    log.emplace_back(Odometry{.time = 0.2 * i, .odometry_from_robot = {0.1 * i, 0.0, 0.0}});
+    log.emplace_back(LaserScan{.time = 0.2 * i + 0.05, .max_range = 8.0, .ranges = {1.0 + i}});
+  }
+  const PreparedLog ready = prepared(std::move(log));
+  for (std::size_t i = 1; i + 1 < ready.log.size(); ++i) {
+    if (!std::holds_alternative<LaserScan>(ready.log[i])) continue;
+    const auto& reading = std::get<Odometry>(ready.log[i - 1]);
+    EXPECT_EQ(reading.time, time_of(ready.log[i]));
+    EXPECT_NEAR(reading.odometry_from_robot.x, 0.5 * reading.time, 1e-9);
   }
 }
 
