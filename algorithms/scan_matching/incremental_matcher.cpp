@@ -198,7 +198,10 @@ ScanMatch IncrementalMatcher::matched_near(const Hits& hits, const Prediction& p
   }
   const FieldPoints points = known_points(hits, prior.mean);
   if (points.size() < kMinPoints) return none;
-  return climbed(points, prediction);
+  const ScanMatch match = climbed(points, prediction);
+  if (!match.trustworthy || points.size() == hits.points.size()) return match;
+  return finer_across(match, points_on_lines(hits, match.map_from_robot), local_scans_.field(),
+                      prior, options_.climb);
 }
 
 // Uphill from the prediction, and from the best place of a search where that does not convince.
@@ -235,6 +238,21 @@ FieldPoints IncrementalMatcher::known_points(const Hits& hits, const Pose2& pred
     if (!hits.weights.empty()) weights.push_back(hits.weights[i]);
   }
   return to_field_points(points, local_scans_.field().resolution(), std::move(weights));
+}
+
+// Hits that say something, and those that lie on the line of a surface beyond its end.
+FieldPoints IncrementalMatcher::points_on_lines(const Hits& hits, const Pose2& pose) const {
+  const LikelihoodField& field = local_scans_.field();
+  const std::vector<bool> is_known = local_scans_.known(hits.points, hits.robot_from_laser, pose);
+  std::vector<Eigen::Vector2d> points;
+  std::vector<float> weights;
+  for (std::size_t i = 0; i < hits.points.size(); ++i) {
+    const auto surface = field.surface_at(pose * hits.points[i]);
+    if (!is_known[i] && !(surface && !surface->along.isZero())) continue;
+    points.push_back(hits.points[i]);
+    if (!hits.weights.empty()) weights.push_back(hits.weights[i]);
+  }
+  return to_field_points(points, field.resolution(), std::move(weights));
 }
 
 // The best match of the wider search if it explains enough, else `match`.

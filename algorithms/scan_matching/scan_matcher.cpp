@@ -100,6 +100,16 @@ ScanMatch match_scan_from(const Pose2& start, const FieldPoints& points, const L
   return best;
 }
 
+ScanMatch finer_across(const ScanMatch& match, const FieldPoints& points,
+                       const LikelihoodField& map, const PosePrior& prediction,
+                       const ScanMatcherOptions& options) {
+  const Pose2 fine =
+      polished(match.map_from_robot, points, map, prediction, options.polish_iterations);
+  ScanMatch result = match;
+  if (distance(fine, match.map_from_robot) <= options.last_step) result.map_from_robot = fine;
+  return result;
+}
+
 ScanMatch match_scan(const FieldPoints& points, const LikelihoodField& map,
                      const PosePrior& prediction, const ScanMatcherOptions& options) {
   return match_scan_from(prediction.mean, points, map, prediction, options);

@@ -55,4 +55,10 @@ ScanMatch match_scan(const FieldPoints& points, const LikelihoodField& map,
 ScanMatch match_scan_from(const Pose2& start, const FieldPoints& points, const LikelihoodField& map,
                           const PosePrior& prediction, const ScanMatcherOptions& options = {});
 
+// A match made finer by further points, that must not say how far along its line a surface goes:
+// Gauss-Newton by what all of them say across their lines.
+ScanMatch finer_across(const ScanMatch& match, const FieldPoints& points,
+                       const LikelihoodField& map, const PosePrior& prediction,
+                       const ScanMatcherOptions& options = {});
+
 }  // namespace mapbed
