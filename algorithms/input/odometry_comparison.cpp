@@ -7,56 +7,17 @@
 #include <fmt/format.h>
 
 #include "algorithms/input/time_intervals.h"
+#include "algorithms/input/told_odometry.h"
 #include "core/geometry/angle.h"
 #include "core/statistics/quantile.h"
 
 namespace mapbed {
 namespace {
 
-constexpr double kLongestGap = 1.5;  // [s] between readings that tell what was between them
 // What odometry is taken to be worth, MotionPriorOptions: a robot that nobody calibrated.
 constexpr double kUsualScale = 0.1;
 constexpr double kUsualTurn = 0.07;           // [rad/m]
 constexpr double kUsualMount = radians(2.0);  // the heading of a laser that somebody mounted by eye
-
-// Odometry as it was told, to be asked at any stamp.
-class Told {
- public:
-  explicit Told(const SensorLog& log) {
-    for (const Measurement& measurement : log) {
-      const auto* reading = std::get_if<Odometry>(&measurement);
-      if (reading == nullptr) continue;
-      if (!readings_.empty() && reading->time <= readings_.back().time) continue;
-      readings_.push_back(*reading);
-    }
-  }
-
-  // odometry_from_robot; none in a gap, at the ends and where the motion between is not known.
-  std::optional<Pose2> at(double time) const {
-    const auto after = std::lower_bound(
-        readings_.begin(), readings_.end(), time,
-        [](const Odometry& reading, double stamp) { return reading.time < stamp; });
-    if (after == readings_.end()) return {};
-    if (after->time == time) return after->odometry_from_robot;
-    if (after == readings_.begin()) return {};
-    const Odometry& before = *(after - 1);
-    const double gap = after->time - before.time;
-    if (gap > kLongestGap) return {};
-    return interpolate(before.odometry_from_robot, after->odometry_from_robot,
-                       (time - before.time) / gap);
-  }
-
-  std::vector<double> unknown() const {
-    std::vector<double> result;
-    for (const Odometry& reading : readings_) {
-      if (reading.motion_unknown) result.push_back(reading.time);
-    }
-    return result;
-  }
-
- private:
-  std::vector<Odometry> readings_;
-};
 
 // From one scan to the next.
 struct Step {
@@ -70,15 +31,15 @@ double way(const Pose2& motion) {
 }
 
 // Of odometry whose stamps are late by `lag` [s].
-std::vector<Step> steps_of(const Told& told, const Trajectory& estimate, double lag) {
-  const std::vector<double> unknown = told.unknown();
+std::vector<Step> steps_of(const ToldOdometry& odometry, const Trajectory& estimate, double lag) {
+  const std::vector<double> unknown = odometry.unknown();
   std::vector<Step> steps;
   for (std::size_t i = 1; i < estimate.size(); ++i) {
     const auto &a = estimate[i - 1], &b = estimate[i];
-    const std::optional<Pose2> from = told.at(a.time + lag), to = told.at(b.time + lag);
-    if (!from || !to || b.time <= a.time) continue;
+    const std::optional<Pose2> motion = odometry.motion(a.time + lag, b.time + lag);
+    if (!motion || b.time <= a.time) continue;
     const auto first = std::upper_bound(unknown.begin(), unknown.end(), a.time);
-    steps.push_back({a.time, b.time, motion_between(*from, *to), motion_between(a.pose, b.pose),
+    steps.push_back({a.time, b.time, *motion, motion_between(a.pose, b.pose),
                      first != unknown.end() && *first <= b.time});
   }
   return steps;
@@ -229,17 +190,17 @@ std::optional<double> constant_error(const std::vector<double>& values, double u
 }
 
 // [s] by which odometry's stamps are late; none where that is not clear.
-std::optional<double> lag_of(const Told& told, const Trajectory& estimate) {
+std::optional<double> lag_of(const ToldOdometry& odometry, const Trajectory& estimate) {
   constexpr double kLongest = 0.5, kStep = 0.02, kLeast = 0.05;  // [s]
   const auto residual = [&](double lag) -> std::optional<double> {
     double sum = 0.0, turned = 0.0;
     for (std::size_t i = 1; i < estimate.size(); ++i) {
       const auto &a = estimate[i - 1], &b = estimate[i];
-      if (b.time - a.time > kLongestGap) continue;
-      const std::optional<Pose2> from = told.at(a.time + lag), to = told.at(b.time + lag);
-      if (!from || !to) continue;
+      if (b.time - a.time > ToldOdometry::kLongestGap) continue;
+      const std::optional<Pose2> motion = odometry.motion(a.time + lag, b.time + lag);
+      if (!motion) continue;
       const double matched = motion_between(a.pose, b.pose).theta;
-      const double off = normalized_angle(matched - motion_between(*from, *to).theta);
+      const double off = normalized_angle(matched - motion->theta);
       sum += std::min(off * off, 0.01);
       turned += std::abs(matched);
     }
@@ -304,9 +265,9 @@ std::vector<Remark> remarks_on_all_steps(const std::vector<Step>& steps) {
 }  // namespace
 
 std::vector<Remark> remarks_on_odometry(const SensorLog& log, const Trajectory& estimate) {
-  const Told told(log);
-  const std::optional<double> lag = lag_of(told, estimate);
-  const std::vector<Step> steps = steps_of(told, estimate, lag.value_or(0.0));
+  const ToldOdometry odometry(log);
+  const std::optional<double> lag = lag_of(odometry, estimate);
+  const std::vector<Step> steps = steps_of(odometry, estimate, lag.value_or(0.0));
   if (steps.empty()) return {};
   const double start = time_of(log.front());
   const std::vector<Silence> silences = silences_in(steps);

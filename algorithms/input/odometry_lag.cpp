@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/input/told_odometry.h"
 #include "core/geometry/angle.h"
 
 namespace mapbed {
@@ -14,43 +15,12 @@ namespace {
 constexpr double kLongestLag = 0.6;      // [s]
 constexpr double kLagStep = 0.01;        // [s]
 constexpr double kLeastLag = 0.04;       // [s] that matters
-constexpr double kLongestGap = 1.5;      // [s] between readings that tell what was between them
 constexpr double kLongestStep = 1.2;     // [s] between two scans
 constexpr double kShortestWay = 0.15;    // [m] up to which a robot turns on the spot
 constexpr double kTurns = 0.05;          // [rad] from scan to scan, at least
 constexpr double kLargestTurn = 0.6;     // [rad]
 constexpr std::size_t kMostPairs = 400;  // spread over the log
 constexpr std::size_t kFewestPairs = 30;
-
-std::vector<Odometry> readings_of(const SensorLog& log) {
-  std::vector<Odometry> readings;
-  for (const Measurement& measurement : log) {
-    const auto* reading = std::get_if<Odometry>(&measurement);
-    if (reading == nullptr) continue;
-    if (!readings.empty() && reading->time <= readings.back().time) continue;
-    readings.push_back(*reading);
-  }
-  return readings;
-}
-
-std::optional<Pose2> at(const std::vector<Odometry>& readings, double time) {
-  const auto after =
-      std::lower_bound(readings.begin(), readings.end(), time,
-                       [](const Odometry& reading, double stamp) { return reading.time < stamp; });
-  if (after == readings.end()) return {};
-  if (after->time == time) return after->odometry_from_robot;
-  if (after == readings.begin()) return {};
-  const Odometry& before = *(after - 1);
-  const double gap = after->time - before.time;
-  if (gap > kLongestGap) return {};
-  return interpolate(before.odometry_from_robot, after->odometry_from_robot,
-                     (time - before.time) / gap);
-}
-
-std::optional<Pose2> told(const std::vector<Odometry>& readings, double from, double to) {
-  const std::optional<Pose2> a = at(readings, from), b = at(readings, to);
-  return a && b ? std::optional<Pose2>(motion_between(*a, *b)) : std::optional<Pose2>{};
-}
 
 // Two scans of one laser, the second after the first.
 struct Pair {
@@ -90,7 +60,7 @@ std::optional<double> turn_between(const Pair& pair) {
   return (static_cast<double>(index) - most + between) * step;
 }
 
-std::vector<Pair> pairs_of(const SensorLog& log, const std::vector<Odometry>& readings) {
+std::vector<Pair> pairs_of(const SensorLog& log, const ToldOdometry& odometry) {
   std::vector<Pair> pairs;
   const LaserScan* before = nullptr;
   for (const Measurement& measurement : log) {
@@ -101,10 +71,10 @@ std::vector<Pair> pairs_of(const SensorLog& log, const std::vector<Odometry>& re
         last != nullptr && scan->time > last->time && scan->time - last->time <= kLongestStep &&
         last->ranges.size() == scan->ranges.size() && last->bearing_step == scan->bearing_step;
     if (!follow) continue;
-    const auto motion = told(readings, last->time, scan->time);
+    const auto motion = odometry.motion(last->time, scan->time);
     if (!motion || std::hypot(motion->x, motion->y) > kShortestWay) continue;
     const double wider = scan->time - last->time + 2.0 * kLongestLag;
-    const auto about = told(readings, last->time - kLongestLag, scan->time + kLongestLag);
+    const auto about = odometry.motion(last->time - kLongestLag, scan->time + kLongestLag);
     const double turn = about ? std::abs(about->theta) * (scan->time - last->time) / wider : 0.0;
     if (std::max(turn, std::abs(motion->theta)) >= kTurns) pairs.push_back({last, scan});
   }
@@ -122,12 +92,11 @@ struct Turn {
 };
 
 // Mean squared difference to what odometry tells with so late stamps, without what is far off.
-double difference(const std::vector<Turn>& turns, const std::vector<Odometry>& readings,
-                  double lag) {
+double difference(const std::vector<Turn>& turns, const ToldOdometry& odometry, double lag) {
   constexpr double kLargest = 0.04;  // [rad^2]
   double sum = 0.0;
   for (const Turn& turn : turns) {
-    const auto motion = told(readings, turn.from + lag, turn.to + lag);
+    const auto motion = odometry.motion(turn.from + lag, turn.to + lag);
     const double off = motion ? normalized_angle(motion->theta - turn.seen) : 1.0;
     sum += std::min(kLargest, off * off);
   }
@@ -137,18 +106,18 @@ double difference(const std::vector<Turn>& turns, const std::vector<Odometry>& r
 }  // namespace
 
 std::optional<double> odometry_lag(const SensorLog& log) {
-  const std::vector<Odometry> readings = readings_of(log);
+  const ToldOdometry odometry(log);
   std::vector<Turn> turns;
-  for (const Pair& pair : pairs_of(log, readings)) {
+  for (const Pair& pair : pairs_of(log, odometry)) {
     const std::optional<double> turn = turn_between(pair);
     if (turn) turns.push_back({pair.first->time, pair.second->time, *turn});
   }
   if (turns.size() < kFewestPairs) return {};
-  const double without = difference(turns, readings, 0.0);
+  const double without = difference(turns, odometry, 0.0);
   double lag = 0.0, least = without;
   const int most = static_cast<int>(std::lround(kLongestLag / kLagStep));
   for (int i = -most; i <= most; ++i) {
-    const double off = difference(turns, readings, i * kLagStep);
+    const double off = difference(turns, odometry, i * kLagStep);
     if (off >= least) continue;
     least = off;
     lag = i * kLagStep;

@@ -61,7 +61,7 @@ TEST_F(MapCommand, WritesMapTrajectoryAndFiguresBesideTheCaller) {
 }
 
 TEST_F(MapCommand, SaysWhereTheLaserLooksAndWhoSaysSo) {
-  const std::string laser = "front laser: 181 beams, 1 deg from -90 deg (its lines), at (0 m, ";
+  const std::string laser = "front laser: 180 beams, 1 deg from -90 deg (its lines), at (0 m, ";
   EXPECT_THAT(run({"--out", "a"}).out, HasSubstr(laser));
   EXPECT_THAT(text("a/summary.json"), HasSubstr(laser));
   EXPECT_THAT(run_mapbed({"describe", path("room.log")}).out, HasSubstr(laser));

@@ -43,8 +43,10 @@ class OdometryInABrokenLog : public ::testing::Test {
     for (int i = 0; i <= 20; ++i) {
       const Pose2 pose{1.0 * i, 0.0, 0.0};
       input_.log.push_back(Odometry{1.0 * i, pose});
-      input_.log.push_back(
-          LaserScan{.time = 1.0 * i, .bearing_step = 0.1, .max_range = 8.0, .ranges = {1.0, 2.0}});
+      input_.log.push_back(LaserScan{.time = 1.0 * i,
+                                     .bearing_step = 0.1,
+                                     .max_range = 8.0,
+                                     .ranges = std::vector<double>(60, 2.0 + 0.1 * i)});
     }
     for (int i = 0; i + 5 <= 20; i += 5) {
       measured_.relations.push_back({1.0 * i, i + 5.0, {5.0, 0.0, 0.0}});
