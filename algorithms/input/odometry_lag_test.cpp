@@ -47,6 +47,22 @@ TEST(OdometryLag, IsNotKnownWithoutTurnsOrOdometry) {
   EXPECT_FALSE(odometry_lag({}));
 }
 
+// Each step of 0.2 s errs by itself: a reading half way between two has the mean of their errors.
+TEST(OdometryLag, IsNotTakenForNoise) {
+  const TestRoom room = l_shaped_room();
+  Rng rng(4);
+  SensorLog log;
+  double heading = 0.0, told = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    const double time = 0.2 * i, step = 0.16 * std::sin(0.4 * time);
+    heading += step;
+    told += step + 0.1 * rng.normal();
+    log.emplace_back(Odometry{.time = time, .odometry_from_robot = {0.0, 0.0, told}});
+    log.emplace_back(scan_of(room, {0.3, 0.2, heading}, {}, time));
+  }
+  EXPECT_FALSE(odometry_lag(log));
+}
+
 TEST(OdometryLag, IsTakenOutOfTheStamps) {
   const SensorLog log = without_lag(looking_about(0.3, rectangular_room(6.0, 5.0)), 0.3);
   EXPECT_FALSE(odometry_lag(log));
