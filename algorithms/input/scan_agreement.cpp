@@ -27,14 +27,6 @@ double slack(double range) {
   return 0.1 + 0.03 * range;
 }
 
-Trajectory odometry_of(const SensorLog& log) {
-  Trajectory path;
-  for (const Measurement& m : log)
-    if (const auto* o = std::get_if<Odometry>(&m))
-      path.push_back({o->time, o->odometry_from_robot});
-  return path;
-}
-
 // At most `most`, evenly.
 std::vector<ScanPair> thinned(const std::vector<ScanPair>& pairs, std::size_t most) {
   if (pairs.size() <= most) return pairs;

@@ -32,17 +32,6 @@ struct Pair {
   double skew = 0.0;  // [rad]
 };
 
-Trajectory odometry_in(const SensorLog& log) {
-  Trajectory path;
-  for (const Measurement& measurement : log) {
-    const auto* reading = std::get_if<Odometry>(&measurement);
-    if (reading == nullptr) continue;
-    if (!path.empty() && path.back().time == reading->time) path.pop_back();
-    path.push_back({reading->time, reading->odometry_from_robot});
-  }
-  return path;
-}
-
 // [s] from scan to scan.
 double usual_interval(const std::vector<const LaserScan*>& scans) {
   std::vector<double> intervals;
@@ -120,9 +109,9 @@ FoundPeriod period_of(const std::vector<const LaserScan*>& scans, const Trajecto
     const std::vector<double> with = mismatches_of(pairs, odometry, candidate);
     std::size_t better = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) better += with[i] < without[i] ? 1 : 0;
-    const bool is_clear =
-        mean_of(with)<kClearlyBetter * best.mismatch_before&& static_cast<double>(better)>
-            kMostOfThem * static_cast<double>(pairs.size());
+    const double needed = kMostOfThem * static_cast<double>(pairs.size());
+    const bool fits_better = mean_of(with) < (kClearlyBetter * best.mismatch_before);
+    const bool is_clear = fits_better && static_cast<double>(better) > needed;
     if (is_clear && mean_of(with) < best.mismatch) {
       best.beam_period = candidate;
       best.mismatch = mean_of(with);
@@ -140,7 +129,7 @@ std::map<int, FoundPeriod> found_periods(const SensorLog& log) {
     if (scan == nullptr || scan->beam_period != 0.0 || scan->ranges.size() < 2) continue;
     lasers[scan->laser].push_back(scan);
   }
-  const Trajectory odometry = odometry_in(log);
+  const Trajectory odometry = odometry_of(log);
   std::map<int, FoundPeriod> result;
   for (const auto& [laser, scans] : lasers) {
     const FoundPeriod found = period_of(scans, odometry);

@@ -228,31 +228,29 @@ ScanMatch IncrementalMatcher::climbed(const FieldPoints& points, const Predictio
 }
 
 FieldPoints IncrementalMatcher::known_points(const Hits& hits, const Pose2& predicted) const {
-  const std::vector<bool> is_known =
-      local_scans_.known(hits.points, hits.robot_from_laser, predicted);
-  std::vector<Eigen::Vector2d> points;
-  std::vector<float> weights;
-  for (std::size_t i = 0; i < hits.points.size(); ++i) {
-    if (!is_known[i]) continue;
-    points.push_back(hits.points[i]);
-    if (!hits.weights.empty()) weights.push_back(hits.weights[i]);
-  }
-  return to_field_points(points, local_scans_.field().resolution(), std::move(weights));
+  return kept(hits, local_scans_.known(hits.points, hits.robot_from_laser, predicted));
 }
 
 // Hits that say something, and those that lie on the line of a surface beyond its end.
 FieldPoints IncrementalMatcher::points_on_lines(const Hits& hits, const Pose2& pose) const {
-  const LikelihoodField& field = local_scans_.field();
-  const std::vector<bool> is_known = local_scans_.known(hits.points, hits.robot_from_laser, pose);
+  std::vector<bool> keeps = local_scans_.known(hits.points, hits.robot_from_laser, pose);
+  for (std::size_t i = 0; i < hits.points.size(); ++i) {
+    if (keeps[i]) continue;
+    const auto surface = local_scans_.field().surface_at(pose * hits.points[i]);
+    keeps[i] = surface && !surface->along.isZero();
+  }
+  return kept(hits, keeps);
+}
+
+FieldPoints IncrementalMatcher::kept(const Hits& hits, const std::vector<bool>& keeps) const {
   std::vector<Eigen::Vector2d> points;
   std::vector<float> weights;
   for (std::size_t i = 0; i < hits.points.size(); ++i) {
-    const auto surface = field.surface_at(pose * hits.points[i]);
-    if (!is_known[i] && !(surface && !surface->along.isZero())) continue;
+    if (!keeps[i]) continue;
     points.push_back(hits.points[i]);
     if (!hits.weights.empty()) weights.push_back(hits.weights[i]);
   }
-  return to_field_points(points, field.resolution(), std::move(weights));
+  return to_field_points(points, local_scans_.field().resolution(), std::move(weights));
 }
 
 // The best match of the wider search if it explains enough, else `match`.

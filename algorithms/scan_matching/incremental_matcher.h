@@ -71,6 +71,7 @@ class IncrementalMatcher : public Estimator {
   ScanMatch matched(const Hits& hits, const Prediction& prediction);
   ScanMatch matched_near(const Hits& hits, const Prediction& prediction);
   FieldPoints known_points(const Hits& hits, const Pose2& predicted) const;
+  FieldPoints kept(const Hits& hits, const std::vector<bool>& keeps) const;
   FieldPoints points_on_lines(const Hits& hits, const Pose2& pose) const;
   ScanMatch climbed(const FieldPoints& points, const Prediction& prediction);
   ScanMatch best_of(const Hits& hits, const ScanMatch& by_step,

@@ -47,11 +47,7 @@ bool holds_pose_lines(const std::string& path) {
 
 Trajectory odometry_from(const std::string& path) {
   if (holds_pose_lines(path)) return load_trajectory(path);
-  Trajectory odometry;
-  for (const Measurement& measurement : load_log(path).measurements) {
-    const auto* reading = std::get_if<Odometry>(&measurement);
-    if (reading != nullptr) odometry.push_back({reading->time, reading->odometry_from_robot});
-  }
+  const Trajectory odometry = odometry_of(load_log(path).measurements);
   if (odometry.empty()) throw InputError({path}, "holds no odometry", "leave --odometry out");
   return odometry;
 }

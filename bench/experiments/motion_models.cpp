@@ -71,13 +71,8 @@ struct Motions {
 
 Motions motions_of(const MotionModelsExperiment& options, const RunInput& input) {
   GridSlam filter(options.filter, input.rng.stream("filter"));
-  Trajectory odometry;
-  for (const Measurement& measurement : input.log) {
-    filter.add(measurement);
-    if (const auto* reading = std::get_if<Odometry>(&measurement)) {
-      odometry.push_back({reading->time, reading->odometry_from_robot});
-    }
-  }
+  for (const Measurement& measurement : input.log) filter.add(measurement);
+  const Trajectory odometry = odometry_of(input.log);
   const Trajectory references = reference_of(options, input);
   const auto between = [](const Trajectory& path, const GridSlam::Motion& step) {
     const auto from = pose_at(path, step.from_time), to = pose_at(path, step.to_time);

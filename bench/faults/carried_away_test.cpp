@@ -18,7 +18,7 @@ TEST(CarriedAway, TheLogHasAGapAndOdometryKnowsNothingOfIt) {
   std::vector<double> stamps;
   for (const LaserScan& scan : scans_of(broken.log)) stamps.push_back(scan.time - 100.0);
   EXPECT_THAT(stamps, ElementsAre(0, 1, 2, 5, 6, 7, 8, 9));
-  const std::vector<Odometry> readings = odometry_of(broken.log);
+  const std::vector<Odometry> readings = readings_of(broken.log);
   EXPECT_EQ(readings[2].odometry_from_robot, (Pose2{2.0, 0.0, 0.0}));
   EXPECT_THAT(readings[3].odometry_from_robot, IsNear(Pose2{2.0, 0.0, 0.0}, kRounding));
   EXPECT_THAT(readings[4].odometry_from_robot, IsNear(Pose2{3.0, 0.0, 0.0}, kRounding));

@@ -18,7 +18,7 @@ TEST(Drift, TurnsByEveryMetreOfWay) {
   const std::vector<Pose2> steps = steps_of(broken.log);
   EXPECT_THAT(steps[0], IsNear(Pose2{1.0, 0.0, 0.1}, kRounding));
   EXPECT_THAT(steps[7], IsNear(Pose2{0.0, 0.0, 1.0}, kRounding)) << "on the spot";
-  EXPECT_THAT(odometry_of(broken.log)[6].odometry_from_robot.theta,
+  EXPECT_THAT(readings_of(broken.log)[6].odometry_from_robot.theta,
               ::testing::DoubleNear(0.6, 1e-12));
   EXPECT_THAT(broken.when, ElementsAre(TimeInterval{100.0, 109.0}));
 }

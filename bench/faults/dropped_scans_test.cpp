@@ -16,7 +16,7 @@ TEST(DroppedScans, AreThatFractionOfThem) {
   const double left = static_cast<double>(scans_of(broken.log).size());
   // Binomial: five standard deviations.
   EXPECT_NEAR(left, 0.4 * kScans, 5.0 * std::sqrt(kScans * 0.4 * 0.6));
-  EXPECT_EQ(odometry_of(broken.log).size(), kScans) << "odometry stays";
+  EXPECT_EQ(readings_of(broken.log).size(), kScans) << "odometry stays";
 }
 
 TEST(DroppedScans, AreNotTheFirstOne) {

@@ -109,8 +109,8 @@ TEST(Faults, AreAppliedTogetherInTheOrderOfTheTable) {
   EXPECT_EQ(plan.planned[0].name, "scale");
   const FaultyLog faulty = broken(small_log(), {}, plan, Rng(1));
   EXPECT_EQ(faulty.faults.size(), 2U);
-  EXPECT_EQ(odometry_of(faulty.log)[1].time, 102.0);
-  EXPECT_DOUBLE_EQ(odometry_of(faulty.log)[1].odometry_from_robot.x, 1.1);
+  EXPECT_EQ(readings_of(faulty.log)[1].time, 102.0);
+  EXPECT_DOUBLE_EQ(readings_of(faulty.log)[1].odometry_from_robot.x, 1.1);
 }
 
 TEST(Faults, StandCompleteInTheRecord) {

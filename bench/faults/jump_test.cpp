@@ -29,7 +29,7 @@ TEST(Jump, IsOneStepThatIsTooLongAndTurned) {
 TEST(Jump, MayComeSeveralTimes) {
   const JumpOptions options{.turn = 0.1, .at = {5.5, 1.5}};
   const BrokenLog broken = with_jump(small_log(), options, Rng(1));
-  EXPECT_THAT(odometry_of(broken.log)[6].odometry_from_robot.theta, DoubleNear(0.2, 1e-12));
+  EXPECT_THAT(readings_of(broken.log)[6].odometry_from_robot.theta, DoubleNear(0.2, 1e-12));
   EXPECT_THAT(broken.when, ElementsAre(TimeInterval{101.0, 102.0}, TimeInterval{105.0, 106.0}));
 }
 

@@ -25,14 +25,14 @@ TEST(MissedTurn, IsTakenOutOfTheTurningOfTheRobot) {
   const auto first = static_cast<std::size_t>(from - 100.0);
   EXPECT_THAT(steps[first], IsNear(Pose2{0.0, 0.0, 0.0}, kRounding));
   EXPECT_THAT(steps[first + 1], IsNear(Pose2{0.0, 0.0, 0.5}, kRounding));
-  EXPECT_THAT(odometry_of(broken.log).back().odometry_from_robot,
+  EXPECT_THAT(readings_of(broken.log).back().odometry_from_robot,
               IsNear(Pose2{6.0, 0.0, 1.5}, kRounding));
 }
 
 TEST(MissedTurn, TakesTheLargestThereIsWhereNoneIsLargeEnough) {
   const BrokenLog broken = with_missed_turn(small_log(), {.turn = 3.5}, Rng(1));
   EXPECT_THAT(broken.when, ElementsAre(TimeInterval{106.0, 109.0}));
-  EXPECT_THAT(odometry_of(broken.log).back().odometry_from_robot,
+  EXPECT_THAT(readings_of(broken.log).back().odometry_from_robot,
               IsNear(Pose2{6.0, 0.0, 0.0}, kRounding));
 }
 

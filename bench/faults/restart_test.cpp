@@ -15,7 +15,7 @@ constexpr Tolerance kRounding{1e-12, 1e-12};  // [m], [rad]
 
 TEST(Restart, BeginsAgainAtZeroAndGoesOnFromThere) {
   const BrokenLog broken = with_restart(small_log(), {.enabled = true, .at = {4.5}}, Rng(1));
-  const std::vector<Odometry> readings = odometry_of(broken.log);
+  const std::vector<Odometry> readings = readings_of(broken.log);
   EXPECT_EQ(readings[4].odometry_from_robot, (Pose2{4.0, 0.0, 0.0}));
   EXPECT_EQ(readings[5].odometry_from_robot, Pose2{});
   EXPECT_THAT(readings[6].odometry_from_robot, IsNear(Pose2{1.0, 0.0, 0.0}, kRounding));

@@ -15,7 +15,7 @@ constexpr Tolerance kRounding{1e-12, 1e-12};  // [m], [rad]
 
 TEST(Scale, MakesEveryStepLonger) {
   const BrokenLog broken = with_scale(small_log(), {.by = 0.1}, Rng(1));
-  const std::vector<Odometry> readings = odometry_of(broken.log);
+  const std::vector<Odometry> readings = readings_of(broken.log);
   EXPECT_THAT(readings[6].odometry_from_robot, IsNear(Pose2{6.6, 0.0, 0.0}, kRounding));
   EXPECT_THAT(readings[8].odometry_from_robot, IsNear(Pose2{6.6, 0.0, 2.2}, kRounding));
   EXPECT_DOUBLE_EQ(readings[3].forward_velocity, 1.1);
@@ -24,7 +24,7 @@ TEST(Scale, MakesEveryStepLonger) {
 
 TEST(Scale, MakesThemShorterWhereItIsNegative) {
   const BrokenLog broken = with_scale(small_log(), {.by = -0.15}, Rng(1));
-  EXPECT_THAT(odometry_of(broken.log)[6].odometry_from_robot,
+  EXPECT_THAT(readings_of(broken.log)[6].odometry_from_robot,
               IsNear(Pose2{5.1, 0.0, 0.0}, kRounding));
 }
 

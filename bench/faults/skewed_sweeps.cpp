@@ -9,16 +9,6 @@
 namespace mapbed {
 namespace {
 
-Trajectory odometry_in(const SensorLog& log) {
-  Trajectory path;
-  for (const Measurement& measurement : log) {
-    if (const auto* reading = std::get_if<Odometry>(&measurement)) {
-      path.push_back({reading->time, reading->odometry_from_robot});
-    }
-  }
-  return path;
-}
-
 // The number of the beam that is nearest to a bearing; -1: the scan did not look there.
 int beam_at(const LaserScan& scan, double bearing) {
   const int beams = static_cast<int>(scan.ranges.size());
@@ -67,7 +57,7 @@ void skew(LaserScan& scan, const Trajectory& path, double duration) {
 BrokenLog with_skewed_sweeps(SensorLog log, const Trajectory& truth,
                              const SkewedSweepsOptions& options) {
   if (options.duration <= 0.0 || log.empty()) return {std::move(log)};
-  const Trajectory path = truth.empty() ? odometry_in(log) : truth;
+  const Trajectory path = truth.empty() ? odometry_of(log) : truth;
   for (Measurement& measurement : log) {
     if (auto* scan = std::get_if<LaserScan>(&measurement)) skew(*scan, path, options.duration);
   }

@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 TEST(Stall, HoldsOdometryAndThenCatchesUpInOneStep) {
   const BrokenLog broken = with_stall(small_log(), {.duration = 2.5, .at = {2.0}}, Rng(1));
   // Readings at 0, 1, 2, 3, …: those at 3 and 4 are held at 2 m, that at 5 is where it was.
-  const std::vector<Odometry> readings = odometry_of(broken.log);
+  const std::vector<Odometry> readings = readings_of(broken.log);
   EXPECT_EQ(readings[3].odometry_from_robot, (Pose2{2.0, 0.0, 0.0}));
   EXPECT_EQ(readings[4].odometry_from_robot, (Pose2{2.0, 0.0, 0.0}));
   EXPECT_EQ(readings[4].forward_velocity, 0.0);

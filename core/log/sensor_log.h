@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/geometry/trajectory.h"
 #include "core/sensor/measurement.h"
 
 namespace mapbed {
@@ -9,5 +10,7 @@ namespace mapbed {
 // Everything that a robot measured, in order of time. Odometry of the same stamp as a scan comes
 // first.
 using SensorLog = std::vector<Measurement>;
+
+Trajectory odometry_of(const SensorLog& log);  // odometry_from_robot at each of its readings
 
 }  // namespace mapbed

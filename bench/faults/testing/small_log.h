@@ -22,7 +22,7 @@ inline SensorLog small_log(int seconds = 9) {
   return log;
 }
 
-inline std::vector<Odometry> odometry_of(const SensorLog& log) {
+inline std::vector<Odometry> readings_of(const SensorLog& log) {
   std::vector<Odometry> readings;
   for (const Measurement& measurement : log) {
     if (const auto* reading = std::get_if<Odometry>(&measurement)) readings.push_back(*reading);
@@ -41,7 +41,7 @@ inline std::vector<LaserScan> scans_of(const SensorLog& log) {
 // The steps that odometry tells.
 inline std::vector<Pose2> steps_of(const SensorLog& log) {
   std::vector<Pose2> steps;
-  const std::vector<Odometry> readings = odometry_of(log);
+  const std::vector<Odometry> readings = readings_of(log);
   for (std::size_t i = 1; i < readings.size(); ++i) {
     steps.push_back(
         motion_between(readings[i - 1].odometry_from_robot, readings[i].odometry_from_robot));
