@@ -66,8 +66,9 @@ Estimate OdometryEstimator::estimate() const {
   if (odometry_.empty()) {
     for (const double time : scan_stamps_) result.trajectory.push_back({time, start_});
     result.untrusted_scans = static_cast<int>(scan_stamps_.size());
-    result.remarks.push_back(
-        {RemarkKind::no_odometry, "no odometry at all: every pose is the first one"});
+    const Remark all_stand{RemarkKind::no_odometry,
+                           "no odometry at all: every pose is the first one"};
+    result.remarks.push_back(all_stand);
     return result;
   }
   const Pose2 map_from_odometry = start_ * inverse(held_at(odometry_, scan_stamps_.front()));
