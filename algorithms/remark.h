@@ -25,6 +25,7 @@ enum class RemarkKind : int {
   stamp_order,       // of scans
   blind_laser,       // it sees nothing
   few_beams,         // that say anything
+  blocked_beams,     // that see dirt or the robot itself, or are stuck
   no_return,         // beams without return read as if something were there
   beam_geometry,     // beams do not point where the log says
   laser_mount,       // the laser does not look where the log says

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,6 +15,7 @@ namespace mapbed {
 namespace {
 
 constexpr int kPairs = 100;
+constexpr std::size_t kFewestBeams = 10;
 
 // What a laser's beams could be instead.
 struct Alternative {
@@ -106,21 +109,52 @@ void contradict(const RecordedLaser& laser, const std::vector<ScanPair>& pairs,
                    degrees(candidates[best].step))});
 }
 
+// As they look in most of their scans.
+std::vector<RecordedLaser> lasers_in(const SensorLog& log) {
+  std::map<int, std::map<std::size_t, std::pair<std::size_t, const LaserScan*>>> by_beams;
+  for (const Measurement& m : log) {
+    const auto* scan = std::get_if<LaserScan>(&m);
+    if (scan == nullptr || scan->bearing_step == 0.0) continue;
+    auto& [count, first] = by_beams[scan->laser][scan->ranges.size()];
+    if (count++ == 0) first = scan;
+  }
+  std::vector<RecordedLaser> lasers;
+  for (const auto& [laser, counts] : by_beams) {
+    const auto most = std::max_element(counts.begin(), counts.end(), [](auto& a, auto& b) {
+      return a.second.first < b.second.first;
+    });
+    const LaserScan& scan = *most->second.second;
+    lasers.push_back({laser,
+                      scan.ranges.size(),
+                      {scan.first_bearing, scan.bearing_step},
+                      scan.robot_from_laser.planar,
+                      {}});
+  }
+  return lasers;
+}
+
 }  // namespace
 
-std::vector<Remark> check_geometry(RecordedLog& log) {
+std::vector<Remark> choose_geometry(RecordedLog& log) {
   std::vector<Remark> remarks;
   for (RecordedLaser& laser : log.lasers) {
-    if (laser.beams < 10) continue;
+    if (laser.beams < kFewestBeams || laser.candidates.empty()) continue;
     const auto pairs = scan_pairs(log.measurements, laser.laser, laser.beams, kPairs);
-    if (!choose(log, laser, pairs)) {
-      remarks.push_back(
-          {RemarkKind::note,
-           fmt::format("where the {}'s {} beams point is ambiguous, and its scans do not tell: {} "
-                       "is taken ({}); set log.field_of_view if it is another",
-                       name_of(laser), laser.beams, to_string(laser.bearings), laser.source)});
-    }
-    contradict(laser, pairs, remarks);
+    if (choose(log, laser, pairs)) continue;
+    remarks.push_back(
+        {RemarkKind::note,
+         fmt::format("where the {}'s {} beams point is ambiguous, and its scans do not tell: {} "
+                     "is taken ({}); set log.field_of_view if it is another",
+                     name_of(laser), laser.beams, to_string(laser.bearings), laser.source)});
+  }
+  return remarks;
+}
+
+std::vector<Remark> remarks_on_geometry(const SensorLog& log) {
+  std::vector<Remark> remarks;
+  for (const RecordedLaser& laser : lasers_in(log)) {
+    if (laser.beams < kFewestBeams) continue;
+    contradict(laser, scan_pairs(log, laser.laser, laser.beams, kPairs), remarks);
   }
   return remarks;
 }

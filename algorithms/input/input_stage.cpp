@@ -4,8 +4,10 @@
 #include <iterator>
 #include <utility>
 
+#include "algorithms/input/geometry_check.h"
 #include "algorithms/input/odometry_comparison.h"
 #include "algorithms/input/odometry_lag.h"
+#include "algorithms/input/scan_order.h"
 #include "algorithms/input/sweep_correction.h"
 
 namespace mapbed {
@@ -27,6 +29,7 @@ InputFindings findings_in(const SensorLog& log, const InputOptions& options) {
   const bool finds_period = options.sweep.find_period && options.sweep.beam_period == 0.0;
   return {.usual_motion = usual_motion(log),
           .piles = no_return_piles(log, options.no_return),
+          .blocked = blocked_beams(log),
           .periods = finds_period ? found_periods(log) : std::map<int, FoundPeriod>{}};
 }
 
@@ -59,6 +62,7 @@ LaserScan InputStage::checked(LaserScan scan) {
   census_.add(scan);
   scan = repeated_.checked(std::move(scan));
   scan = without_pile(std::move(scan), findings_.piles);
+  scan = without_blocked(std::move(scan), findings_.blocked);
   const auto found = findings_.periods.find(scan.laser);
   if (scan.beam_period == 0.0) scan.beam_period = options_.sweep.beam_period;
   if (scan.beam_period == 0.0 && found != findings_.periods.end()) {
@@ -137,6 +141,7 @@ std::vector<Remark> InputStage::remarks() const {
   std::vector<Remark> result = odometry_.remarks(start);
   append(repeated_.remarks(start), result);
   append(remarks_on(findings_.piles), result);
+  append(remarks_on(findings_.blocked), result);
   append(remarks_on(findings_.periods), result);
   append(census_.remarks(), result);
   return result;
@@ -144,6 +149,10 @@ std::vector<Remark> InputStage::remarks() const {
 
 PreparedLog prepared(SensorLog log, const InputOptions& options) {
   PreparedLog result;
+  const std::vector<Remark> of_geometry = remarks_on_geometry(log);
+  const std::vector<SwappedScans> swapped = swapped_scans(log);
+  log = in_order(std::move(log), swapped);
+  const double start = log.empty() ? 0.0 : time_of(log.front());
   const InputFindings findings = findings_in(log, options);
   // In the mean, beams are taken half a sweep after the stamp: as if odometry were early or late.
   std::optional<double> lag;
@@ -153,7 +162,9 @@ PreparedLog prepared(SensorLog log, const InputOptions& options) {
   result.log.reserve(log.size());
   for (Measurement& measurement : log) append(stage.add(std::move(measurement)), result.log);
   append(stage.finish(), result.log);
-  result.remarks = stage.remarks();
+  result.remarks = of_geometry;
+  append(remarks_on(swapped, start), result.remarks);
+  append(stage.remarks(), result.remarks);
   if (lag.has_value()) result.remarks.push_back(remark_on_lag(lag.value()));
   return result;
 }

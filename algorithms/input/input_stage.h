@@ -8,6 +8,7 @@
 
 #include "algorithms/estimator.h"
 #include "algorithms/input/beam_census.h"
+#include "algorithms/input/blocked_beams.h"
 #include "algorithms/input/no_return_pile.h"
 #include "algorithms/input/odometry_at_scans.h"
 #include "algorithms/input/odometry_check.h"
@@ -42,8 +43,9 @@ void visit_fields(InputOptions& o, Visitor&& visit) {
 // What a whole log shows of its sensors, where somebody has it before a method begins.
 struct InputFindings {
   std::optional<UsualMotion> usual_motion;
-  std::map<int, NoReturnPile> piles;   // by laser
-  std::map<int, FoundPeriod> periods;  // by laser
+  std::map<int, NoReturnPile> piles;    // by laser
+  std::map<int, BlockedBeams> blocked;  // by laser
+  std::map<int, FoundPeriod> periods;   // by laser
 };
 
 InputFindings findings_in(const SensorLog& log, const InputOptions& options);

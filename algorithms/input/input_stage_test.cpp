@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -146,6 +147,63 @@ TEST(InputStage, DoesNotTakeASweepForALagOfOdometry) {
 
 TEST(InputStage, TakesAnEmptyLog) {
   EXPECT_TRUE(prepared({}).log.empty());
+}
+
+// Looks into all directions.
+SensorLog long_drive() {
+  return drive_through(furnished_room(),
+                       {{-3, 0}, {3, 0}, {3, 2}, {-2, 2}, {-2, -2}, {2, -2.5}, {2, 1}, {-2, -1}},
+                       {.scan_period = 0.5}, Rng(3))
+      .measurements;
+}
+
+std::vector<RemarkKind> kinds_of(const std::vector<Remark>& remarks) {
+  std::vector<RemarkKind> kinds;
+  for (const Remark& remark : remarks) kinds.push_back(remark.kind);
+  return kinds;
+}
+
+TEST(InputStage, LeavesOutBeamsThatAreBlocked) {
+  SensorLog log = long_drive();
+  for (Measurement& m : log) {
+    auto* scan = std::get_if<LaserScan>(&m);
+    for (std::size_t beam = 0; scan != nullptr && beam < 40; ++beam) scan->ranges[beam] = 0.2;
+  }
+  const PreparedLog ready = prepared(std::move(log));
+  EXPECT_EQ(kinds_of(ready.remarks), std::vector{RemarkKind::blocked_beams});
+  for (const Measurement& m : ready.log) {
+    const auto* scan = std::get_if<LaserScan>(&m);
+    for (std::size_t beam = 0; scan != nullptr && beam < 41; ++beam) {
+      EXPECT_EQ(scan->ranges[beam] > 0.0, beam == 40);
+    }
+  }
+}
+
+TEST(InputStage, PutsScansInTheOrderInWhichTheyWereTaken) {
+  const SensorLog right = long_drive();
+  SensorLog log = right;
+  std::vector<LaserScan*> scans;
+  for (Measurement& m : log) {
+    if (auto* scan = std::get_if<LaserScan>(&m)) scans.push_back(scan);
+  }
+  std::swap(*scans[20], *scans[21]);
+  std::swap(scans[20]->time, scans[21]->time);
+  const PreparedLog ready = prepared(std::move(log));
+  EXPECT_EQ(kinds_of(ready.remarks), std::vector{RemarkKind::stamp_order});
+  ASSERT_EQ(ready.log.size(), right.size());
+  for (std::size_t i = 0; i < right.size(); ++i) EXPECT_TRUE(are_same(ready.log[i], right[i])) << i;
+}
+
+// Whoever prepares a log, also one that was broken on purpose, is told.
+TEST(InputStage, TellsOfBeamsThatDoNotLookWhereTheLogSays) {
+  SensorLog log = long_drive();
+  for (Measurement& m : log) {
+    auto* scan = std::get_if<LaserScan>(&m);
+    if (scan == nullptr) continue;
+    scan->first_bearing = -scan->first_bearing;
+    scan->bearing_step = -scan->bearing_step;
+  }
+  EXPECT_EQ(kinds_of(prepared(std::move(log)).remarks), std::vector{RemarkKind::laser_mount});
 }
 
 }  // namespace

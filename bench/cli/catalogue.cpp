@@ -180,7 +180,10 @@ const std::vector<CatalogueShelf>& catalogue() {
 
 std::string text_of_log(const std::string& path) {
   RecordedLog log = open_log(path);
-  const std::vector<Remark> remarks = check_geometry(log);
+  std::vector<Remark> remarks = choose_geometry(log);
+  for (Remark& remark : remarks_on_geometry(log.measurements)) {
+    remarks.push_back(std::move(remark));
+  }
   const double seconds = time_of(log.measurements.back()) - time_of(log.measurements.front());
   std::string text = fmt::format("format: {}\nmeasurements: {} in {:.1f} s\nlasers:\n", log.format,
                                  log.measurements.size(), seconds);

@@ -157,7 +157,7 @@ int map_log(const MapArguments& arguments) {
   const std::string folder = folder_for(arguments);
   check_folder(folder);  // refused before the log is read
   RecordedLog log = while_told("reading", [&] { return load_log(chosen.path, config.log); });
-  const std::vector<Remark> of_geometry = check_geometry(log);
+  const std::vector<Remark> of_geometry = choose_geometry(log);
   print_log(arguments.log, log, stopwatch.seconds());
   PreparedLog prepared = mapbed::prepared(std::move(log.measurements), config.input);
   prepared.remarks.insert(prepared.remarks.begin(), of_geometry.begin(), of_geometry.end());

@@ -54,7 +54,7 @@ Settings faults_of(const Settings& settings) {
 RecordedLog read(const RecordedPlan& plan, const GoesOn& goes_on = {}) {
   check_unchanged(plan.log);
   RecordedLog log = load_log(plan.log.path, plan.options, goes_on);
-  (void)check_geometry(log);
+  (void)choose_geometry(log);
   return log;
 }
 
