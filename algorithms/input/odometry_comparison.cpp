@@ -60,7 +60,9 @@ struct Silence {
 std::vector<Silence> silences_in(const std::vector<Step>& steps) {
   constexpr double kStill = 1e-6;                        // [m], [rad]
   constexpr double kMovedWay = 0.15, kMovedTurn = 0.15;  // [m], [rad] clearly
-  constexpr double kLeast = 0.25;                        // [s]
+  // [m/s], [rad/s] at which estimates of a robot that stands creep, where people walk by.
+  constexpr double kCreep = 0.02, kCreepTurn = 0.01;
+  constexpr double kLeast = 0.25;  // [s]
   std::vector<Silence> silences;
   for (std::size_t i = 0; i < steps.size();) {
     Silence silence{.first = i, .last = i, .missed = {}};
@@ -73,10 +75,10 @@ std::vector<Silence> silences_in(const std::vector<Step>& steps) {
       ++i;
       continue;
     }
-    const bool moved =
-        way(silence.missed) > kMovedWay || std::abs(silence.missed.theta) > kMovedTurn;
-    const bool lasted = steps[silence.last - 1].to - steps[i].from >= kLeast;
-    if (moved && lasted) silences.push_back(silence);
+    const double seconds = steps[silence.last - 1].to - steps[i].from;
+    const bool moved = way(silence.missed) > kMovedWay + kCreep * seconds ||
+                       std::abs(silence.missed.theta) > kMovedTurn + kCreepTurn * seconds;
+    if (moved && seconds >= kLeast) silences.push_back(silence);
     i = silence.last;
   }
   return silences;

@@ -69,6 +69,21 @@ TEST(RemarksOnOdometry, NameAStallByItsTime) {
   }
 }
 
+// 18 cm in 12 s, as with people about.
+TEST(RemarksOnOdometry, AreNoneWhereTheEstimateOfARobotThatStandsCreeps) {
+  Drive waits;
+  Pose2 pose, odometry;
+  for (int i = 0; i <= 300; ++i) {
+    const double time = 100.0 + 0.2 * i;
+    const bool stands = i > 100 && i <= 160;
+    pose = pose * Pose2{stands ? 0.003 : 0.1, 0.0, 0.0};
+    if (!stands) odometry = odometry * Pose2{0.1, 0.0, 0.0};
+    waits.log.emplace_back(Odometry{.time = time, .odometry_from_robot = odometry});
+    waits.estimate.push_back({time, pose});
+  }
+  EXPECT_THAT(kinds(waits), IsEmpty());
+}
+
 TEST(RemarksOnOdometry, NameAMissedTurn) {
   EXPECT_THAT(kinds(drive([](double time, const Pose2& step) {
                 return time > 104.1 && time < 106.1 ? Pose2{} : step;

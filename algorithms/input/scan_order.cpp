@@ -20,7 +20,7 @@ constexpr int kFewestHits = 20;          // of these
 constexpr double kOneSurface = 0.1;      // of the range, between neighbouring beams
 constexpr double kOdd = 0.05;            // [m] beyond what beams and odometry err
 constexpr double kClearFraction = 0.35;  // of the misfit is left in the other order, at most
-constexpr double kFraction = 0.6;        // the same where other scans are known to be swapped
+constexpr double kFraction = 0.75;       // the same where other scans are known to be swapped
 constexpr std::size_t kKnown = 3;        // so many of these
 constexpr double kClearDistance = 0.04;  // [m] by which it is less, at least
 
