@@ -15,17 +15,9 @@ constexpr double kShortestTime = 0.05;
 
 PosePrior spread_about(const Pose2& mean, const Pose2& motion, double seconds,
                        const MotionSpread& spread) {
-  const double way = std::hypot(motion.x, motion.y), turn = std::abs(motion.theta);
-  const double time = std::clamp(seconds, kShortestTime, kLongestTime);
-  const auto sigma = [&](double per_meter, double per_turn, double per_time) {
-    return std::sqrt(per_meter * per_meter * way + per_turn * per_turn * turn +
-                     per_time * per_time * time);
-  };
-  const double position =
-      sigma(spread.position_per_meter, spread.position_per_turn, spread.position_per_time);
-  const double heading =
-      sigma(spread.heading_per_meter, spread.heading_per_turn, spread.heading_per_time);
-  return independent_prior(mean, position, position, heading);
+  const MotionVariance variance = variance_after(motion, seconds, spread);
+  const double position = std::sqrt(variance.position);
+  return independent_prior(mean, position, position, std::sqrt(variance.heading));
 }
 
 // Half the logarithm of the volume that a belief spreads over, but for a constant.
@@ -34,6 +26,16 @@ double log_volume(const PosePrior& prior) {
 }
 
 }  // namespace
+
+MotionVariance variance_after(const Pose2& motion, double seconds, const MotionSpread& spread) {
+  const double way = std::hypot(motion.x, motion.y), turn = std::abs(motion.theta);
+  const double time = std::clamp(seconds, kShortestTime, kLongestTime);
+  const auto variance = [&](double per_meter, double per_turn, double per_time) {
+    return per_meter * per_meter * way + per_turn * per_turn * turn + per_time * per_time * time;
+  };
+  return {variance(spread.position_per_meter, spread.position_per_turn, spread.position_per_time),
+          variance(spread.heading_per_meter, spread.heading_per_turn, spread.heading_per_time)};
+}
 
 PosePrior predict(const Pose2& map_from_robot, const Pose2& motion, double seconds,
                   const MotionPriorOptions& options) {

@@ -70,6 +70,14 @@ void visit_fields(MotionPriorOptions& o, Visitor&& visit) {
         "without odometry: change of turning speed from scan to scan");
 }
 
+struct MotionVariance {
+  double position = 0.0;  // [m^2] along each axis
+  double heading = 0.0;   // [rad^2]
+};
+
+// Of a motion in `seconds`.
+MotionVariance variance_after(const Pose2& motion, double seconds, const MotionSpread& spread);
+
 // After a motion that odometry measured, in `seconds`.
 PosePrior predict(const Pose2& map_from_robot, const Pose2& motion, double seconds,
                   const MotionPriorOptions& options);

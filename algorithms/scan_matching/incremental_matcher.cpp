@@ -65,7 +65,19 @@ IncrementalMatcher::Prediction IncrementalMatcher::predicted(double time) const 
   const std::optional<Pose2> odometry = odometry_at(time);
   if (!odometry || !odometry_at_last_scan_) return {going_on(time), true};
   return {predict(map_from_robot_, motion_between(*odometry_at_last_scan_, *odometry),
-                  time - trajectory_.back().time, options_.motion)};
+                  time - trajectory_.back().time, learned_spread_.applied_to(options_.motion))};
+}
+
+// From the newest match, before the robot is taken to be there.
+void IncrementalMatcher::learn_spread(double time) {
+  const std::optional<Pose2> odometry = odometry_at(time);
+  const bool was_near_prediction = last_match_.trustworthy && !last_match_.other_prediction &&
+                                   !last_match_.contradicts_prediction;
+  if (!odometry || !odometry_at_last_scan_ || !was_near_prediction) return;
+  const Pose2 motion = motion_between(*odometry_at_last_scan_, *odometry);
+  learned_spread_.add(motion, time - trajectory_.back().time,
+                      motion_between(map_from_robot_ * motion, last_match_.map_from_robot),
+                      options_.motion.odometry);
 }
 
 // Where the robot may be besides where odometry's last step ends: nowhere while scans and odometry
@@ -148,6 +160,7 @@ void IncrementalMatcher::add_scan(const LaserScan& scan, std::span<const float> 
   if (!trajectory_.empty()) {
     CHECK(scan.time >= trajectory_.back().time);
     last_match_ = match(scan, beam_weights);
+    learn_spread(scan.time);
     map_from_robot_ = last_match_.map_from_robot;
     if (!last_match_.trustworthy) ++untrusted_scans_;
     if (is_measurement(scan)) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/estimator.h"
+#include "algorithms/motion/learned_spread.h"
 #include "algorithms/motion/odometry_track.h"
 #include "algorithms/motion/recent_motion.h"
 #include "algorithms/scan/level_lasers.h"
@@ -67,6 +68,7 @@ class IncrementalMatcher : public Estimator {
   std::optional<Pose2> odometry_at(double time) const;
   Prediction predicted(double time) const;
   std::vector<OtherPrediction> other_predictions(double time, bool by_step_is_doubtful) const;
+  void learn_spread(double time);
   PosePrior going_on(double time) const;
   ScanMatch matched(const Hits& hits, const Prediction& prediction);
   ScanMatch matched_near(const Hits& hits, const Prediction& prediction);
@@ -89,6 +91,7 @@ class IncrementalMatcher : public Estimator {
   MatchingDiagnostics diagnostics_;
   std::optional<Pose2> odometry_at_last_scan_;
   RecentMotion recent_;
+  LearnedSpread learned_spread_;
   LocalScans local_scans_;
 };
 
