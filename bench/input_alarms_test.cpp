@@ -1,6 +1,8 @@
 // What is in order is neither changed nor remarked on by the stage in front of all methods: on
-// public logs; skipped where MAPBED_DATA does not name the folder that holds them.
+// public logs; skipped where MAPBED_DATA does not name the folder that holds them. Simulated drives
+// need none.
 
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 
@@ -10,6 +12,7 @@
 #include "algorithms/input/geometry_check.h"
 #include "algorithms/input/input_stage.h"
 #include "algorithms/testing/remark_texts.h"
+#include "bench/sources/log_source.h"
 #include "core/data_path.h"
 #include "core/log/log_description.h"
 
@@ -55,6 +58,16 @@ TEST_P(CleanRecordedLog, KeepsItsGeometryWithoutARemark) {
 INSTANTIATE_TEST_SUITE_P(InputStage, CleanRecordedLog,
                          ::testing::Values("intel", "intel_910", "fr079", "aces", "freiburg_101",
                                            "seattle"));
+
+// Its three bends are all that the stamps of odometry could be judged by.
+TEST(CleanSimulatedDrive, IsNotRemarkedOn) {
+  SourceParts parts;
+  const SourcePlan plan =
+      plan_source({{"world", "loop_corridor", {}}, {"robot", "pioneer", {}}}, parts);
+  const std::uint64_t seed = 12;
+  const auto source = open_source(plan, seed);
+  EXPECT_THAT(texts_of(prepared(source->input(plan, seed).log).remarks), ::testing::IsEmpty());
+}
 
 }  // namespace
 }  // namespace mapbed
