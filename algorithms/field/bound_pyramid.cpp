@@ -71,7 +71,8 @@ void make_next(const Level& below, int h, std::vector<std::uint8_t>& padded,
   }
 
   // And across them.
-  level.bounds.assign(width * static_cast<std::size_t>(level.height), 0);
+  level.bounds.assign(width * static_cast<std::size_t>(level.height) + BoundPyramid::kReadBeyond,
+                      0);
   for (int y = 0; y < level.height; ++y) {
     const int first = cover.first_step * (level.min_y + y) - below.min_y;
     std::uint8_t* row = level.bounds.data() + static_cast<std::size_t>(y) * width;
@@ -117,7 +118,9 @@ void remake_bound_pyramid(const LikelihoodField& field, double window, BoundPyra
         window, pyramid.box.width(), pyramid.box.height()));
   }
   finest.bounds.assign(
-      static_cast<std::size_t>(finest.width) * static_cast<std::size_t>(finest.height), 0);
+      static_cast<std::size_t>(finest.width) * static_cast<std::size_t>(finest.height) +
+          BoundPyramid::kReadBeyond,
+      0);
   const std::vector<CellIndex> tiles = field.tile_corners();
   tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
     const CellIndex corner = tiles[i];

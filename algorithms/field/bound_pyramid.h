@@ -19,7 +19,7 @@ struct BoundPyramid {
     int thinning = 0;                  // [bits] entries stand 2^thinning cells apart
     int min_x = 0, min_y = 0;          // [entries] of the array, whose border is 0
     int width = 0, height = 0;         // [entries]
-    std::vector<std::uint8_t> bounds;  // row by row
+    std::vector<std::uint8_t> bounds;  // row by row, and kReadBeyond further
 
     // Of a cell; everything outside is 0.
     std::uint8_t at(int x, int y) const {
@@ -29,6 +29,7 @@ struct BoundPyramid {
                     static_cast<std::size_t>(column)];
     }
   };
+  static constexpr std::size_t kReadBeyond = 16;  // where several are read at a time
   double step = 0.0;
   int max_shifts = 0;         // [cells]
   CellBox box;                // of the field

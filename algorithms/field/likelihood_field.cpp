@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "algorithms/field/nearest_of_tile.h"
 #include "algorithms/grid/grid_size.h"
 #include "core/check.h"
 #include "core/input_error.h"
@@ -20,7 +21,11 @@ constexpr int kLargestRadius = 200;  // [cells] of it: every point changes its s
 constexpr int kMixtureSteps = 1024;
 constexpr int kDirectoryMargin = 4;  // [tiles] grown beyond what is needed
 constexpr int kBoundSteps = 1024;
-constexpr float kLineLength = 0.99499F;  // sqrt(1 - kAlong^2), rounded up
+
+// A line's direction as cells keep it; `counted` is what counts of a distance along it.
+Eigen::Vector2f along_of(const SurfacePoint& point, double counted) {
+  return (std::sqrt(1.0 - counted * counted) * tangent_of(point.doubled)).cast<float>();
+}
 
 }  // namespace
 
@@ -123,8 +128,7 @@ void LikelihoodField::add_in_tile(const SurfacePoint& point, int tile_x, int til
   // In cells, so that (x, y) stands for the centre of cell (x, y).
   const double u = point.position.x() / resolution_ - 0.5;
   const double v = point.position.y() / resolution_ - 0.5;
-  const Eigen::Vector2f along =
-      (std::sqrt(1.0 - kAlong * kAlong) * tangent_of(point.doubled)).cast<float>();
+  const Eigen::Vector2f along = along_of(point, kAlong);
   const CellIndex middle = middle_of(point.position);
   const int first_x = std::max(middle.x - radius_, tile_x * kTileSide);
   const int last_x = std::min(middle.x + radius_, tile_x * kTileSide + kTileSide - 1);
@@ -181,17 +185,32 @@ bool LikelihoodField::fill_tile(int tile_x, int tile_y, const SurfaceMeans& mean
   const CellIndex corner{tile_x * kTileSide, tile_y * kTileSide};
   const CellBox about{{corner.x - reach, corner.y - reach},
                       {corner.x + kTileSide - 1 + reach, corner.y + kTileSide - 1 + reach}};
-  bool is_used = false;
+  struct Point {
+    double u, v;  // [cells], so that (x, y) stands for the centre of cell (x, y)
+    Eigen::Vector2f along;
+  };
+  std::vector<Point> points;
+  NearestOfTile<kTileSide> nearest(2.0F * (kFar * kFar));
   means.for_each_in(about, [&](const SurfacePoint& mean) {
     const CellIndex middle = middle_of(mean.position);
-    const bool beside = middle.x + radius_ < corner.x || middle.y + radius_ < corner.y ||
-                        middle.x - radius_ >= corner.x + kTileSide ||
-                        middle.y - radius_ >= corner.y + kTileSide;
-    if (beside) return;
-    is_used = true;
-    add_in_tile(mean, tile_x, tile_y, tile);
+    const CellIndex low{middle.x - radius_ - corner.x, middle.y - radius_ - corner.y};
+    const CellIndex high{middle.x + radius_ - corner.x, middle.y + radius_ - corner.y};
+    if (high.x < 0 || high.y < 0 || low.x >= kTileSide || low.y >= kTileSide) return;
+    const double u = mean.position.x() / resolution_ - 0.5;
+    const double v = mean.position.y() / resolution_ - 0.5;
+    nearest.add(static_cast<std::int32_t>(points.size()), u, v, corner, {low, high});
+    points.push_back({u, v, along_of(mean, kAlong)});
   });
-  return is_used;
+  if (points.empty()) return false;
+  for (int i = 0; i < kTileSide * kTileSide; ++i) {
+    const std::int32_t number = nearest.number[static_cast<std::size_t>(i)];
+    if (number < 0) continue;
+    const Point& point = points[static_cast<std::size_t>(number)];
+    tile[i] = {static_cast<float>(point.u - (corner.x + i % kTileSide)),
+               static_cast<float>(point.v - (corner.y + i / kTileSide)), point.along.x(),
+               point.along.y()};
+  }
+  return true;
 }
 
 void LikelihoodField::release_tile(int tile_x, int tile_y) {
@@ -277,30 +296,6 @@ std::vector<CellIndex> LikelihoodField::tile_corners() const {
     }
   }
   return corners;
-}
-
-void LikelihoodField::bound_tile(CellIndex corner, int stride, std::uint8_t* bounds) const {
-  static_assert(double{kLineLength} * double{kLineLength} >= 1.0 - kAlong * kAlong);
-  const Cell* cell = cell_at(corner.x - min_x_ * kTileSide, corner.y - min_y_ * kTileSide);
-  CHECK(cell != nullptr);
-  for (int y = 0; y < kTileSide; ++y, cell += kTileSide, bounds += stride) {
-    std::array<int, kTileSide> indices;
-    for (int x = 0; x < kTileSide; ++x) {  // without branches: so it is vectorized
-      const Cell& c = cell[x];
-      // No nearer than the line, and where there is none no nearer than the mapped point.
-      const float across = std::abs(c.x * c.along_y - c.y * c.along_x);
-      const float reach = 0.5F * (std::abs(c.along_x) + std::abs(c.along_y));
-      const float line = std::max(0.0F, across - reach) * (1.0F / kLineLength);
-      const float dx = std::max(0.0F, std::abs(c.x) - 0.5F);
-      const float dy = std::max(0.0F, std::abs(c.y) - 0.5F);
-      const float squared = reach > 0.0F ? line * line : dx * dx + dy * dy;
-      indices[static_cast<std::size_t>(x)] =
-          static_cast<int>(std::min(squared * bounds_per_square_, float{kBoundSteps}));
-    }
-    for (int x = 0; x < kTileSide; ++x) {
-      bounds[x] = bounds_[static_cast<std::size_t>(indices[static_cast<std::size_t>(x)])];
-    }
-  }
 }
 
 CellBox LikelihoodField::box() const {

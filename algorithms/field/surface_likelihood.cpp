@@ -1,12 +1,15 @@
 #include "algorithms/field/surface_likelihood.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include <Eigen/Dense>
 
+#include "algorithms/field/mapped_line.h"
 #include "algorithms/field/surface_map_reader.h"
+#include "algorithms/field/surface_terms.h"
 #include "core/geometry/angle.h"
 
 namespace mapbed {
@@ -17,35 +20,67 @@ constexpr int kIterations = 4;
 constexpr std::size_t kCoarse = 3;     // the first step is taken by every third hit
 constexpr std::size_t kManyHits = 40;  // of fewer by all
 constexpr double kConverged = 2e-3;    // [m], [rad] the step after that is far smaller still
-constexpr float kAlong = 0.1F;  // of a distance along a mapped line that counts, as in the field
-constexpr float kMinAgreement = 0.5F;  // of the directions that make a line, as in tangent_of
 constexpr int kMixtureSteps = 512;
 constexpr double kReach = 4.0;  // [sigma] beyond, the Gaussian counts for nothing
 
-// The projection on the line of a mapped point, (I + [x y; y -x]) / 2 with (x, y) = (cos 2a, sin
-// 2a); nothing where it has no line.
-struct Projection {
-  float half = 0.0F;         // 1/2, or 0
-  float x = 0.0F, y = 0.0F;  // times 1/2
+// Of a point to the mapped surface [m^2].
+float squared_distance(const SurfaceMap::Nearest& nearest) {
+  return MappedLine(nearest.doubled_x, nearest.doubled_y)
+      .squared_distance(nearest.off_x, nearest.off_y);
+}
 
-  explicit Projection(const SurfaceMap::Nearest& nearest) {
-    const float squared =
-        nearest.doubled_x * nearest.doubled_x + nearest.doubled_y * nearest.doubled_y;
-    if (squared < kMinAgreement * kMinAgreement) return;
-    half = 0.5F;
-    const float scale = 0.5F / std::sqrt(squared);
-    x = scale * nearest.doubled_x;
-    y = scale * nearest.doubled_y;
+// The mapped surfaces nearest to hits.count of the hits from the first on, which stand `every`
+// apart.
+void find_surfaces(const Eigen::Vector2d* first, std::size_t every, const Pose2& map_from_robot,
+                   SurfaceMap::Reader& reader, HitsOnSurface& hits) {
+  const double c = std::cos(map_from_robot.theta), s = std::sin(map_from_robot.theta);
+  run(this_processor(), [&, c, s]() MAPBED_INLINE_LOOP {
+    std::array<double, HitsOnSurface::kMost> x, y;  // [cells] in the map
+    std::array<int, HitsOnSurface::kMost> cell_x, cell_y;
+    const double scale = reader.cells_per_meter();
+    for (std::size_t k = 0; k < hits.count; ++k) {
+      const double hit_x = first[every * k].x(), hit_y = first[every * k].y();
+      const double arm_x = c * hit_x - s * hit_y, arm_y = s * hit_x + c * hit_y;
+      hits.arm_x[k] = static_cast<float>(arm_x);
+      hits.arm_y[k] = static_cast<float>(arm_y);
+      x[k] = (map_from_robot.x + arm_x) * scale;
+      y[k] = (map_from_robot.y + arm_y) * scale;
+      cell_x[k] = SurfaceMap::Reader::floor_of(x[k]);
+      cell_y[k] = SurfaceMap::Reader::floor_of(y[k]);
+    }
+    for (std::size_t k = 0; k < hits.count; ++k) {
+      const SurfaceMap::Nearest nearest = reader.nearest(x[k], y[k], cell_x[k], cell_y[k]);
+      hits.found[k] = nearest.found ? 1 : 0;
+      hits.off_x[k] = nearest.off_x;
+      hits.off_y[k] = nearest.off_y;
+      hits.doubled_x[k] = nearest.doubled_x;
+      hits.doubled_y[k] = nearest.doubled_y;
+    }
+  });
+}
+
+// One hit after the other.
+struct SumOfTerms {
+  float log = 0.0F, gx = 0.0F, gy = 0.0F, gt = 0.0F;
+  float xx = 0.0F, xy = 0.0F, yy = 0.0F, xt = 0.0F, yt = 0.0F, tt = 0.0F;
+
+  void add(const SurfaceTerms& terms, std::size_t count) {
+    SumOfTerms sum = *this;
+    for (std::size_t i = 0; i < count; ++i) {
+      sum.log += terms.log[i];
+      sum.gx -= terms.pull_x[i];
+      sum.gy -= terms.pull_y[i];
+      sum.gt -= terms.pull_turn[i];
+      sum.xx += terms.xx[i];
+      sum.xy += terms.xy[i];
+      sum.yy += terms.yy[i];
+      sum.xt += terms.x_turn[i];
+      sum.yt += terms.y_turn[i];
+      sum.tt += terms.turn_turn[i];
+    }
+    *this = sum;
   }
 };
-
-// Of a point to the mapped surface [m^2].
-float squared_distance(const SurfaceMap::Nearest& nearest, const Projection& along) {
-  const float xx = nearest.off_x * nearest.off_x, yy = nearest.off_y * nearest.off_y;
-  const float squared_along =
-      along.half * (xx + yy) + along.x * (xx - yy) + 2.0F * along.y * nearest.off_x * nearest.off_y;
-  return xx + yy - (1.0F - kAlong * kAlong) * squared_along;
-}
 
 double total_weight(const ScanForWeighting& scan) {
   if (scan.hit_weights.empty()) return static_cast<double>(scan.hits.size());
@@ -102,9 +137,8 @@ double SurfaceLikelihood::sum_of_hits(const ScanForWeighting& scan, const Surfac
     const Eigen::Vector2d& hit = scan.hits[i];
     const SurfaceMap::Nearest nearest = reader.nearest(
         map_from_robot.x + c * hit.x() - s * hit.y(), map_from_robot.y + s * hit.x() + c * hit.y());
-    const double log = nearest.found
-                           ? double{mixture_.log_at(squared_distance(nearest, Projection(nearest)))}
-                           : mixture_.outlier_log();
+    const double log =
+        nearest.found ? double{mixture_.log_at(squared_distance(nearest))} : mixture_.outlier_log();
     sum += weighted ? double{scan.hit_weights[i]} * log : log;
   }
   return sum;
@@ -129,66 +163,34 @@ double SurfaceLikelihood::inlier_ratio(const ScanForWeighting& scan, const Surfa
                               total_weight(scan) * mixture_.outlier_log());
 }
 
-template <bool weighted>
 SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const ScanForWeighting& scan,
                                                           std::size_t every, const SurfaceMap& map,
                                                           const Pose2& map_from_robot) const {
   const std::vector<Eigen::Vector2d>& hits = scan.hits;
-  const double c = std::cos(map_from_robot.theta), s = std::sin(map_from_robot.theta);
   SurfaceMap::Reader reader(map);
-  float sum = 0.0F, gx = 0.0F, gy = 0.0F, gt = 0.0F;
-  float xx = 0.0F, xy = 0.0F, yy = 0.0F, xt = 0.0F, yt = 0.0F, tt = 0.0F;
-  for (std::size_t i = 0; i < hits.size(); i += every) {
-    const double x = c * hits[i].x() - s * hits[i].y(), y = s * hits[i].x() + c * hits[i].y();
-    const SurfaceMap::Nearest nearest = reader.nearest(map_from_robot.x + x, map_from_robot.y + y);
-    if (!nearest.found) {
-      const auto log = static_cast<float>(mixture_.outlier_log());
-      sum += weighted ? scan.hit_weights[i] * log : log;
-      continue;
+  SumOfTerms sum;
+  HitsOnSurface some;
+  HitsOnSurface::Floats weights;
+  SurfaceTerms terms;
+  for (std::size_t begin = 0; begin < hits.size(); begin += every * some.count) {
+    some.count = std::min(HitsOnSurface::kMost, (hits.size() - begin + every - 1) / every);
+    find_surfaces(hits.data() + begin, every, map_from_robot, reader, some);
+    if (!scan.hit_weights.empty()) {
+      for (std::size_t k = 0; k < some.count; ++k) weights[k] = scan.hit_weights[begin + every * k];
     }
-    const Projection along(nearest);
-    HitMixture::Value value = mixture_.at(squared_distance(nearest, along));
-    if constexpr (weighted) {
-      value.log *= scan.hit_weights[i];
-      value.inlier *= scan.hit_weights[i];
-    }
-    sum += value.log;
-    // Along its line a point may slide: it pulls across it only.
-    const float nxx = value.inlier * (1.0F - along.half - along.x);
-    const float nxy = -value.inlier * along.y;
-    const float nyy = value.inlier * (1.0F - along.half + along.x);
-    const float pull_x = nxx * nearest.off_x + nxy * nearest.off_y;
-    const float pull_y = nxy * nearest.off_x + nyy * nearest.off_y;
-    // A turn moves the point by (-dy, dx).
-    const auto dx = static_cast<float>(x), dy = static_cast<float>(y);
-    const float mx = dx * nxy - dy * nxx, my = dx * nyy - dy * nxy;
-    gx -= pull_x;
-    gy -= pull_y;
-    gt -= dx * pull_y - dy * pull_x;
-    xx += nxx;
-    xy += nxy;
-    yy += nyy;
-    xt += mx;
-    yt += my;
-    tt += dx * my - dy * mx;
+    surface_terms(some, mixture_, scan.hit_weights.empty() ? nullptr : weights.data(), terms);
+    sum.add(terms, some.count);
   }
   Slope slope;
   const auto times = static_cast<double>(every);
-  slope.sum = times * double{sum};
+  slope.sum = times * double{sum.log};
   const double weight = times / (options_.sigma * options_.sigma);
-  slope.gradient = weight * Eigen::Vector3d(double{gx}, double{gy}, double{gt});
-  slope.information << double{xx}, double{xy}, double{xt},  //
-      double{xy}, double{yy}, double{yt},                   //
-      double{xt}, double{yt}, double{tt};
+  slope.gradient = weight * Eigen::Vector3d(double{sum.gx}, double{sum.gy}, double{sum.gt});
+  slope.information << double{sum.xx}, double{sum.xy}, double{sum.xt},  //
+      double{sum.xy}, double{sum.yy}, double{sum.yt},                   //
+      double{sum.xt}, double{sum.yt}, double{sum.tt};
   slope.information *= weight;
   return slope;
-}
-
-SurfaceLikelihood::Slope SurfaceLikelihood::slope_of_hits(const ScanForWeighting& scan,
-                                                          std::size_t every, const SurfaceMap& map,
-                                                          const Pose2& map_from_robot) const {
-  return scan.hit_weights.empty() ? slope_of_hits<false>(scan, every, map, map_from_robot)
-                                  : slope_of_hits<true>(scan, every, map, map_from_robot);
 }
 
 LocalPosterior SurfaceLikelihood::local_posterior(const Pose2& start, const ScanForWeighting& scan,

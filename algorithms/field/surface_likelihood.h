@@ -89,13 +89,11 @@ class SurfaceLikelihood {
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   };
-  // By every so many hits, each for as many. Loops of their own where hits have weights.
-  template <bool weighted>
-  Slope slope_of_hits(const ScanForWeighting& scan, std::size_t every, const SurfaceMap& map,
-                      const Pose2& map_from_robot) const;
+  // A loop of its own where hits have weights.
   template <bool weighted>
   double sum_of_hits(const ScanForWeighting& scan, const SurfaceMap& map,
                      const Pose2& map_from_robot) const;
+  // By every so many hits, each for as many.
   Slope slope_of_hits(const ScanForWeighting& scan, std::size_t every, const SurfaceMap& map,
                       const Pose2& map_from_robot) const;
   double sum_of_hits(const ScanForWeighting& scan, const SurfaceMap& map,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 #include <unordered_set>
@@ -68,21 +70,24 @@ SurfaceMap::Tile& SurfaceMap::tile_for_writing(int tile_x, int tile_y) {
                                                   (tile_x & (kBlockSide - 1)))]);
 }
 
-inline void SurfaceMap::Cell::count_in(float new_x, float new_y, float new_doubled_x,
-                                       float new_doubled_y) {
+// All four at once. The last two have a sign.
+inline void SurfaceMap::Cell::count_in(const NewValues& values) {
+  using Words = std::uint16_t __attribute__((vector_size(8)));
+  using Ints = std::int32_t __attribute__((vector_size(16)));
+  constexpr Ints kSigns{0, 0, 0x8000, 0x8000};
+  constexpr float kAboveZero = 65536.0F;  // where cutting off the rest rounds down
   if (count < std::numeric_limits<std::uint16_t>::max()) ++count;
   const float fraction = 1.0F / static_cast<float>(count);
-  constexpr float kAboveZero = 65536.0F;  // where cutting off the rest rounds down
-  const auto towards = [fraction](auto& mean, float value) {
-    const auto old = static_cast<float>(mean);
-    const float moved = old + (value - old) * fraction;
-    mean = static_cast<std::remove_reference_t<decltype(mean)>>(
-        static_cast<int>(moved + (kAboveZero + 0.5F)) - static_cast<int>(kAboveZero));
-  };
-  towards(x, std::min(kPlaceScale * new_x, 65535.0F));
-  towards(y, std::min(kPlaceScale * new_y, 65535.0F));
-  towards(doubled_x, kLineScale * new_doubled_x);
-  towards(doubled_y, kLineScale * new_doubled_y);
+  Words words;
+  static_assert(offsetof(Cell, count) == sizeof(words));
+  std::memcpy(&words, this, sizeof(words));
+  const Ints signed_words = (__builtin_convertvector(words, Ints) ^ kSigns) - kSigns;
+  const NewValues old = __builtin_convertvector(signed_words, NewValues);
+  const NewValues moved = old + (values - old) * fraction;
+  const Ints rounded =
+      __builtin_convertvector(moved + (kAboveZero + 0.5F), Ints) - static_cast<int>(kAboveZero);
+  words = __builtin_convertvector(rounded, Words);
+  std::memcpy(static_cast<void*>(this), &words, sizeof(words));
 }
 
 inline SurfaceMap::Cell& SurfaceMap::Tile::cell_for_writing(int x, int y) {
@@ -90,10 +95,60 @@ inline SurfaceMap::Cell& SurfaceMap::Tile::cell_for_writing(int x, int y) {
   std::uint32_t& row = hits[static_cast<std::size_t>(y)];
   if ((row >> x & 1U) == 0) {
     row |= 1U << x;
-    for (int after = y + 1; after < kTileSide; ++after) ++before[static_cast<std::size_t>(after)];
+    for (int other = 0; other < kTileSide; ++other) {
+      std::uint16_t& cells_before = before[static_cast<std::size_t>(other)];
+      cells_before = static_cast<std::uint16_t>(cells_before + (other > y ? 1 : 0));
+    }
+    if (cells.size() == cells.capacity()) cells.reserve(cells.size() + cells.size() / 4 + 8);
     cells.insert(cells.begin() + static_cast<std::ptrdiff_t>(place), Cell{});
   }
   return cells[place];
+}
+
+// Points on their way into the map.
+struct SurfaceMap::SomePoints {
+  static constexpr std::size_t kMost = 64;
+
+  std::size_t count = 0;
+  std::array<std::int32_t, kMost> cell_x, cell_y;
+  std::array<NewValues, kMost> values;
+  std::array<Tile*, kMost> tiles;
+
+  int tile_x(std::size_t i) const { return cell_x[i] >> kTileBits; }
+  int tile_y(std::size_t i) const { return cell_y[i] >> kTileBits; }
+  bool in_tile_of_last(std::size_t i) const {
+    return i > 0 && tile_x(i) == tile_x(i - 1) && tile_y(i) == tile_y(i - 1);
+  }
+};
+
+// In several passes, each of which asks for the memory that the next one needs: most of the time a
+// particle's map is in no near cache.
+void SurfaceMap::add(SomePoints& points) {
+  for (std::size_t i = 0; i < points.count; ++i) {
+    if (points.in_tile_of_last(i)) continue;
+    const Tile* tile = tile_at(points.tile_x(i), points.tile_y(i));
+    if (tile == nullptr) continue;
+    for (std::size_t line = 0; line < sizeof(Tile); line += 64) {
+      __builtin_prefetch(reinterpret_cast<const char*>(tile) + line, 1);
+    }
+  }
+  for (std::size_t i = 0; i < points.count; ++i) {
+    points.tiles[i] = points.in_tile_of_last(i)
+                          ? points.tiles[i - 1]
+                          : &tile_for_writing(points.tile_x(i), points.tile_y(i));
+  }
+  constexpr int kInTile = kTileSide - 1;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const Tile& tile = *points.tiles[i];
+    __builtin_prefetch(
+        tile.cells.data() + tile.place_of(points.cell_x[i] & kInTile, points.cell_y[i] & kInTile),
+        1);
+  }
+  for (std::size_t i = 0; i < points.count; ++i) {
+    points.tiles[i]
+        ->cell_for_writing(points.cell_x[i] & kInTile, points.cell_y[i] & kInTile)
+        .count_in(points.values[i]);
+  }
 }
 
 void SurfaceMap::add(const std::vector<SurfacePoint>& points_in_robot,
@@ -105,23 +160,25 @@ void SurfaceMap::add(const std::vector<SurfacePoint>& points_in_robot,
   const double start_y = cells_per_meter * map_from_robot.y;
   const auto c2 = static_cast<float>(std::cos(2.0 * map_from_robot.theta));
   const auto s2 = static_cast<float>(std::sin(2.0 * map_from_robot.theta));
-  Tile* tile = nullptr;
-  int tile_x = 0, tile_y = 0;
-  for (const SurfacePoint& point : points_in_robot) {
-    const double x = start_x + c * point.position.x() - s * point.position.y();
-    const double y = start_y + s * point.position.x() + c * point.position.y();
-    const int cell_x = floor_of(x), cell_y = floor_of(y);
-    if (tile == nullptr || cell_x >> kTileBits != tile_x || cell_y >> kTileBits != tile_y) {
-      tile_x = cell_x >> kTileBits;
-      tile_y = cell_y >> kTileBits;
-      tile = &tile_for_writing(tile_x, tile_y);
+  SomePoints some;
+  for (std::size_t begin = 0; begin < points_in_robot.size(); begin += some.count) {
+    const SurfacePoint* first = points_in_robot.data() + begin;
+    some.count = std::min(SomePoints::kMost, points_in_robot.size() - begin);
+    for (std::size_t i = 0; i < some.count; ++i) {
+      const SurfacePoint& point = first[i];
+      const double x = start_x + c * point.position.x() - s * point.position.y();
+      const double y = start_y + s * point.position.x() + c * point.position.y();
+      some.cell_x[i] = floor_of(x);
+      some.cell_y[i] = floor_of(y);
+      const auto in_tile_x = static_cast<float>(x - (some.tile_x(i) << kTileBits));
+      const auto in_tile_y = static_cast<float>(y - (some.tile_y(i) << kTileBits));
+      const auto d_x = static_cast<float>(point.doubled.x());
+      const auto d_y = static_cast<float>(point.doubled.y());
+      some.values[i] = NewValues{
+          std::min(kPlaceScale * in_tile_x, 65535.0F), std::min(kPlaceScale * in_tile_y, 65535.0F),
+          kLineScale * (c2 * d_x - s2 * d_y), kLineScale * (s2 * d_x + c2 * d_y)};
     }
-    const auto d_x = static_cast<float>(point.doubled.x());
-    const auto d_y = static_cast<float>(point.doubled.y());
-    tile->cell_for_writing(cell_x & (kTileSide - 1), cell_y & (kTileSide - 1))
-        .count_in(static_cast<float>(x - (tile_x << kTileBits)),
-                  static_cast<float>(y - (tile_y << kTileBits)), c2 * d_x - s2 * d_y,
-                  s2 * d_x + c2 * d_y);
+    add(some);
   }
 }
 

@@ -43,16 +43,20 @@ class SurfaceMap {
   static constexpr int kTileBits = 5, kTileSide = 1 << kTileBits;     // cells
   static constexpr int kBlockBits = 3, kBlockSide = 1 << kBlockBits;  // tiles
 
+  // Of a point that is added: as a cell's first four members, whose means they change.
+  using NewValues = float __attribute__((vector_size(16)));
+  struct SomePoints;
+
   // Small, as every particle reads and copies many of them.
   // Scales are powers of two: they divide without dividing.
   static constexpr float kPlaceScale = 2048.0F;  // a tile is 2^16 wide
   static constexpr float kLineScale = 16384.0F;
-  struct Cell {
-    std::uint16_t x = 0, y = 0;  // mean of the end points, from the tile's corner [cells / scale]
-    std::int16_t doubled_x = 0, doubled_y = 0;  // mean of their lines' directions [1 / scale]
-    std::uint16_t count = 0;                    // stays at its largest value
+  struct Cell {          // trivial, so that they are moved as bytes
+    std::uint16_t x, y;  // mean of the end points, from the tile's corner [cells / scale]
+    std::int16_t doubled_x, doubled_y;  // mean of their lines' directions [1 / scale]
+    std::uint16_t count;                // stays at its largest value
 
-    void count_in(float new_x, float new_y, float new_doubled_x, float new_doubled_y);
+    void count_in(const NewValues& values);
   };
   // Only the cells that were hit: a wall passes through few of a tile, and what bounds the speed of
   // the filter is how much memory its particles read.
@@ -88,6 +92,7 @@ class SurfaceMap {
   const Tile* tile_at(int tile_x, int tile_y) const;
   Tile& tile_for_writing(int tile_x, int tile_y);
   void widen(int block_x, int block_y);
+  void add(SomePoints& points);
 
   double resolution_;
   int min_x_ = 0, min_y_ = 0, width_ = 0, height_ = 0;  // [blocks]

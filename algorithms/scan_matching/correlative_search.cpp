@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+#include "algorithms/field/bound_sums.h"
+#include "algorithms/scan_matching/turned_points.h"
 #include "core/geometry/angle.h"
 
 namespace mapbed {
@@ -27,13 +29,22 @@ class PriorBound {
     heading_ = std::max(0.0, information(2, 2) + mixed.dot(offset_per_radian_));
   }
 
-  double over(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double theta) const {
-    if (flattest_ <= 0.0) return 0.0;
+  struct AtHeading {
+    Eigen::Vector2d best = Eigen::Vector2d::Zero();  // position [m]
+    double of_heading = 0.0;                         // times -2
+    double flattest = 0.0;
+
+    double over(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const {
+      if (flattest <= 0.0) return 0.0;
+      const Eigen::Vector2d outside =
+          (low - best).cwiseMax(best - high).cwiseMax(Eigen::Vector2d::Zero());
+      return -0.5 * (of_heading + flattest * outside.squaredNorm());
+    }
+  };
+  AtHeading at(double theta) const {
+    if (flattest_ <= 0.0) return {};
     const double error = angle_difference(mean_.theta, theta);
-    const Eigen::Vector2d best = mean_ * (offset_per_radian_ * error).eval();
-    const Eigen::Vector2d outside =
-        (low - best).cwiseMax(best - high).cwiseMax(Eigen::Vector2d::Zero());
-    return -0.5 * (heading_ * error * error + flattest_ * outside.squaredNorm());
+    return {mean_ * (offset_per_radian_ * error).eval(), heading_ * error * error, flattest_};
   }
 
  private:
@@ -55,12 +66,18 @@ int group_bits(int level) {
   return level > 3 ? level - 2 : 0;
 }
 
-// The points at the middle of a group of turns, in cells of the map: shifted by a block's shifts
-// and turned by the group's turns, each falls into the cells from here up to what its level covers.
-struct TurnedPoints {
-  std::vector<int> x, y;
-  std::vector<std::uint8_t> level;  // of the pyramid
-  std::vector<float> weights;       // of the same points, where they have any
+// What the blocks of a group of turns have in common.
+struct Turns {
+  TurnedPoints points;
+  double theta = 0.0;                 // [rad] of the first turn
+  PriorBound::AtHeading prior, tail;  // of a single turn
+};
+
+// The quarters of a block, at up to four groups of turns.
+struct Children {
+  std::array<Block, 16> blocks;
+  std::size_t count = 0;
+  void push_back(const Block& block) { blocks[count++] = block; }
 };
 
 class CorrelativeSearch {
@@ -79,10 +96,11 @@ class CorrelativeSearch {
         limits_(limits),
         floor_(double{map.outlier_log()} * points.total_weight()),
         best_(limits.above),
-        top_(static_cast<int>(pyramid.levels.size()) - 2) {
+        top_(static_cast<int>(pyramid.levels.size()) - 2),
+        turner_(points, prediction.mean, map.resolution(), pyramid, lattice, group_bits(top_)) {
     for (int level = 0; level <= top_; ++level) {
       const int groups = (2 * lattice.turns >> group_bits(level)) + 1;
-      turned_.emplace_back(level > 0 && group_bits(level) == 0 ? 0 : groups);
+      turns_.emplace_back(level > 0 && group_bits(level) == 0 ? 0 : groups);
     }
   }
 
@@ -104,107 +122,71 @@ class CorrelativeSearch {
   bool over() const { return best_ >= limits_.enough || gave_up(); }
 
   // Made when first needed. Levels of single turns share theirs.
-  const TurnedPoints& turned(int first_turn, int level) {
+  const Turns& turns_from(int first, int level) {
     const int bits = group_bits(level);
-    std::optional<TurnedPoints>& made =
-        turned_[static_cast<std::size_t>(bits == 0 ? 0 : level)]
-               [static_cast<std::size_t>((first_turn + lattice_.turns) >> bits)];
-    if (!made) made = turn(first_turn, level);
+    std::optional<Turns>& made = turns_[static_cast<std::size_t>(bits == 0 ? 0 : level)]
+                                       [static_cast<std::size_t>((first + lattice_.turns) >> bits)];
+    if (made) return *made;
+    made.emplace();
+    made->points = turner_.turned({first, bits, level});
+    made->theta = lattice_.pose(prediction_.mean, map_.resolution(), first, 0, 0).theta;
+    if (bits > 0) return *made;
+    made->prior = prior_bound_.at(made->theta);
+    made->tail = tail_bound_.at(made->theta);
     return *made;
   }
 
-  // Points that no shift brings into the map are left out.
-  TurnedPoints turn(int first_turn, int level) const {
-    const int last = (1 << group_bits(level)) - 1;  // turn of the group, from the first
-    const Pose2& mean = prediction_.mean;
-    const double theta = mean.theta + (first_turn + 0.5 * last) * lattice_.turn_step;
-    const double c = std::cos(normalized_angle(theta)), s = std::sin(normalized_angle(theta));
-    const double tx = mean.x / map_.resolution(), ty = mean.y / map_.resolution();
-    TurnedPoints turned;
-    turned.x.reserve(points_.size());
-    turned.y.reserve(points_.size());
-    turned.level.reserve(points_.size());
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const double px = double{points_.x[i]}, py = double{points_.y[i]};
-      // What the turns move it to either side, at most.
-      const double moves = 0.5 * last * lattice_.turn_step * std::hypot(px, py);
-      const int x = static_cast<int>(std::floor(c * px - s * py + tx - moves));
-      const int y = static_cast<int>(std::floor(s * px + c * py + ty - moves));
-      const int more = static_cast<int>(std::ceil(2.0 * moves));
-      const int reach = lattice_.shifts + 1;
-      const bool reachable =
-          x + more >= pyramid_.box.min.x - reach && x <= pyramid_.box.max.x + reach &&
-          y + more >= pyramid_.box.min.y - reach && y <= pyramid_.box.max.y + reach;
-      if (!reachable) continue;
-      turned.x.push_back(x);
-      turned.y.push_back(y);
-      if (last > 0) turned.level.push_back(level_over((1 << level) + more));
-      if (!points_.weights.empty()) turned.weights.push_back(points_.weights[i]);
-    }
-    return turned;
-  }
-
-  // The finest one that covers so many cells; kUnbounded where none does.
-  std::uint8_t level_over(int cells) const {
-    int level = 0;
-    while (level < static_cast<int>(pyramid_.levels.size()) && 1 << level < cells) ++level;
-    return level < static_cast<int>(pyramid_.levels.size()) ? static_cast<std::uint8_t>(level)
-                                                            : kUnbounded;
-  }
-
   std::vector<Block> coarsest_blocks() {
+    const int across = (2 * lattice_.shifts >> top_) + 1;
     std::vector<Block> blocks;
     for (int turn = -lattice_.turns; turn <= lattice_.turns; turn += 1 << group_bits(top_)) {
-      for (int y = -lattice_.shifts; y <= lattice_.shifts; y += 1 << top_) {
-        for (int x = -lattice_.shifts; x <= lattice_.shifts; x += 1 << top_) {
-          blocks.push_back({bound_of(turn, x, y, top_), turn, x, y});
-        }
-      }
+      add_blocks(turn, {-lattice_.shifts, -lattice_.shifts, top_, across, across}, blocks);
     }
     return blocks;
   }
 
-  double bound_of(int turn, int x, int y, int level) {
-    ++looked_at_;
-    const double sum = points_.weights.empty() ? plain_sum(turned(turn, level), x, y, level)
-                                               : weighted_sum(turned(turn, level), x, y, level);
+  // Those of a grid, with their bounds, row by row.
+  template <class Blocks>
+  void add_blocks(int turn, const BlockGrid& grid, Blocks& blocks) {
+    const Turns& turns = turns_from(turn, grid.level);
+    looked_at_ += static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
+    const bool weighted = !points_.weights.empty();
+    if (!weighted) sum_bounds(pyramid_, turns.points.cells, grid, sums_);
+    std::size_t i = 0;
+    for (int row = 0; row < grid.rows; ++row) {
+      for (int column = 0; column < grid.columns; ++column, ++i) {
+        const int x = grid.x + (column << grid.level), y = grid.y + (row << grid.level);
+        const double sum =
+            weighted ? weighted_sum(turns.points, x, y, grid.level) : static_cast<double>(sums_[i]);
+        blocks.push_back({bound_of(turns, sum, x, y, grid.level), turn, x, y});
+      }
+    }
+  }
+
+  double bound_of(const Turns& turns, double sum, int x, int y, int level) const {
     const double bound = floor_ + sum * pyramid_.step;
     if (group_bits(level) > 0) return bound + std::max(0.0, tail_log_);  // the prior's largest
-    const Pose2 low = lattice_.pose(prediction_.mean, map_.resolution(), turn, x, y);
+    const Eigen::Vector2d corner(prediction_.mean.x + x * map_.resolution(),
+                                 prediction_.mean.y + y * map_.resolution());
     const double side = ((1 << level) - 1) * map_.resolution();
-    const Eigen::Vector2d corner = low.position(), opposite = corner + Eigen::Vector2d(side, side);
-    return bound + std::max(prior_bound_.over(corner, opposite, low.theta),
-                            tail_log_ + tail_bound_.over(corner, opposite, low.theta));
+    const Eigen::Vector2d opposite = corner + Eigen::Vector2d(side, side);
+    return bound + std::max(turns.prior.over(corner, opposite),
+                            tail_log_ + turns.tail.over(corner, opposite));
   }
 
-  double plain_sum(const TurnedPoints& points, int x, int y, int level) const {
-    int sum = 0;
-    if (points.level.empty()) {
-      const BoundPyramid::Level& bounds = pyramid_.levels[static_cast<std::size_t>(level)];
-      for (std::size_t i = 0; i < points.x.size(); ++i) {
-        sum += bounds.at(points.x[i] + x, points.y[i] + y);
-      }
-    } else {
-      for (std::size_t i = 0; i < points.x.size(); ++i) sum += bound_at(points, i, x, y);
-    }
-    return sum;
-  }
-
+  // In their order, as sums of weights depend on it.
   double weighted_sum(const TurnedPoints& points, int x, int y, int level) const {
-    const BoundPyramid::Level& bounds = pyramid_.levels[static_cast<std::size_t>(level)];
     double sum = 0.0;
-    for (std::size_t i = 0; i < points.x.size(); ++i) {
-      const int bound = points.level.empty() ? bounds.at(points.x[i] + x, points.y[i] + y)
-                                             : bound_at(points, i, x, y);
-      sum += double{points.weights[i]} * bound;
+    for (std::size_t i = 0; i < points.cells.size(); ++i) {
+      sum += double{points.weights[i]} * bound_at(points.cells, i, x, y, level);
     }
     return sum;
   }
-
-  // Of a point of a group of turns.
-  int bound_at(const TurnedPoints& points, std::size_t i, int x, int y) const {
-    if (points.level[i] == kUnbounded) return 255;
-    return pyramid_.levels[points.level[i]].at(points.x[i] + x, points.y[i] + y);
+  int bound_at(const PointsInCells& points, std::size_t i, int x, int y, int level) const {
+    const std::size_t its_level =
+        points.level.empty() ? static_cast<std::size_t>(level) : points.level[i];
+    if (its_level == PointsInCells::kUnbounded) return 255;
+    return pyramid_.levels[its_level].at(points.x[i] + x, points.y[i] + y);
   }
 
   void branch(const Block& block, int level) {
@@ -220,27 +202,23 @@ class CorrelativeSearch {
     }
     const int half = 1 << (level - 1);
     const int last_turn = std::min(lattice_.turns, block.turn + (1 << group_bits(level)) - 1);
-    std::array<Block, 16> children;
-    std::size_t count = 0;
+    const BlockGrid quarters{block.x, block.y, level - 1, block.x + half > lattice_.shifts ? 1 : 2,
+                             block.y + half > lattice_.shifts ? 1 : 2};
+    Children children;
     for (int turn = block.turn; turn <= last_turn; turn += 1 << group_bits(level - 1)) {
-      for (const int y : {block.y, block.y + half}) {
-        for (const int x : {block.x, block.x + half}) {
-          if (x > lattice_.shifts || y > lattice_.shifts) continue;
-          children[count++] = {bound_of(turn, x, y, level - 1), turn, x, y};
-        }
+      add_blocks(turn, quarters, children);
+    }
+    for (std::size_t i = 1; i < children.count; ++i) {  // best bound first
+      for (std::size_t j = i; j > 0 && children.blocks[j].bound > children.blocks[j - 1].bound;
+           --j) {
+        std::swap(children.blocks[j], children.blocks[j - 1]);
       }
     }
-    for (std::size_t i = 1; i < count; ++i) {  // best bound first
-      for (std::size_t j = i; j > 0 && children[j].bound > children[j - 1].bound; --j) {
-        std::swap(children[j], children[j - 1]);
-      }
-    }
-    for (std::size_t i = 0; i < count && children[i].bound > best_ && !over(); ++i) {
-      branch(children[i], level - 1);
+    for (std::size_t i = 0; i < children.count && children.blocks[i].bound > best_ && !over();
+         ++i) {
+      branch(children.blocks[i], level - 1);
     }
   }
-
-  static constexpr std::uint8_t kUnbounded = 255;
 
   const FieldPoints& points_;
   const LikelihoodField& map_;
@@ -252,8 +230,10 @@ class CorrelativeSearch {
   const SearchLimits& limits_;
   double floor_;
   double best_;
-  int top_;                                                       // level of the coarsest blocks
-  std::vector<std::vector<std::optional<TurnedPoints>>> turned_;  // by level, by group of turns
+  int top_;  // level of the coarsest blocks
+  PointTurner turner_;
+  std::vector<std::vector<std::optional<Turns>>> turns_;  // by level, by group of turns
+  std::vector<int> sums_;
   std::optional<Pose2> best_pose_;
   std::size_t looked_at_ = 0;  // blocks, and poses
 };
