@@ -74,6 +74,13 @@ class SurfaceLikelihood {
   double log_likelihood(const ScanForWeighting& scan, const SurfaceMap& map,
                         const Pose2& map_from_robot) const;
 
+  // ln p(z | x, m) + ln p(x), both times beam_weight.
+  double log_posterior(const ScanForWeighting& scan, const SurfaceMap& map,
+                       const Pose2& map_from_robot, const PosePrior& prior) const {
+    return log_likelihood(scan, map, map_from_robot) +
+           options_.beam_weight * prior.log_at(map_from_robot);
+  }
+
   // 1: all end points lie on the map, 0: none does; by their mean log-likelihood. 0 without any.
   double inlier_ratio(const ScanForWeighting& scan, const SurfaceMap& map,
                       const Pose2& map_from_robot) const;

@@ -60,7 +60,7 @@ UpdateMotion FrontEnd::motion_to(const Place& place, const std::optional<Pose2>&
                                  const std::optional<Pose2>& odometry, double time) const {
   if (updates_.empty()) return {};
   const Update& before = updates_.back();
-  const bool condensed = condensed_scans_ > 0;
+  const bool condensed = is_condensed();
   const Pose2& condensed_to = condensed ? track_from_robot_ : before.seen_from_robot;
   const std::optional<Pose2> by_odometry = condensed ? step : motion_since(at_update_, odometry);
   return {.whole = motion_between(before.track_from_robot, place.track),
@@ -68,6 +68,7 @@ UpdateMotion FrontEnd::motion_to(const Place& place, const std::optional<Pose2>&
           .step = place.predicted ? motion_between(condensed_to, *place.predicted) : by_odometry,
           .seconds = time - scans_.back().time,
           .guess = motion_between(before.seen_from_robot, place.seen),
+          .guess_is_doubtful = !place.matched || !all_matched_,
           .step_contradicted = place.contradicts_step};
 }
 
@@ -88,11 +89,13 @@ FrontEnd::Result FrontEnd::add(const LaserScan& scan, std::span<const float> bea
                         .seen_from_robot = place.seen,
                         .condensed = result.update->condensed,
                         .condensed_until = scans_.empty() ? scan.time : scans_.back().time,
-                        .is_condensed = place.held_out && condensed_scans_ > 0});
+                        .is_condensed = place.held_out && is_condensed()});
     at_update_ = odometry;
     condensed_scans_ = 0;
+    all_matched_ = true;
   } else {
     ++condensed_scans_;
+    all_matched_ = all_matched_ && place.matched;
   }
   if (!place.held_out) {
     track_from_robot_ = place.track;

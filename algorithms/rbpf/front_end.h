@@ -74,6 +74,8 @@ class FrontEnd {
   Place place_of(const LaserScan& scan, std::span<const float> beam_weights,
                  const std::optional<Pose2>& step);
   bool is_due(const Pose2& track) const;
+  // Where a scan since the update fitted nowhere, odometry knows better how the robot moved since.
+  bool is_condensed() const { return condensed_scans_ > 0 && all_matched_; }
   UpdateMotion motion_to(const Place& place, const std::optional<Pose2>& step,
                          const std::optional<Pose2>& odometry, double time) const;
 
@@ -85,6 +87,7 @@ class FrontEnd {
   std::vector<Update> updates_;
   Pose2 track_from_robot_;   // at the last scan that was matched
   int condensed_scans_ = 0;  // since the last update
+  bool all_matched_ = true;  // of these
   int unmoved_scans_ = 0;    // by Proposal::odometry, without any
   // odometry_from_robot at the last update, the last matched scan, the last scan.
   std::optional<Pose2> at_update_, at_matched_scan_, at_scan_;

@@ -22,12 +22,13 @@ class Drive {
  public:
   explicit Drive(const FrontEndOptions& options) : front_end(options) {}
 
-  FrontEnd::Result step(double way, const Pose2& missed = {}) {
+  FrontEnd::Result step(double way, const Pose2& missed = {},
+                        const TestRoom& seen = furnished_room()) {
     odometry = odometry * Pose2{1.1 * way, 0.0, 0.0};
     truth = truth * Pose2{way, 0.0, 0.0} * missed;
     time += 1.0;
     front_end.add(Odometry{.time = time, .odometry_from_robot = odometry});
-    return front_end.add(scan_of(furnished_room(), truth, kLaser, time));
+    return front_end.add(scan_of(seen, truth, kLaser, time));
   }
 
   FrontEnd front_end;
@@ -115,6 +116,21 @@ TEST(FrontEnd, SaysWhereAScanRefutesOdometry) {
   EXPECT_TRUE(due.update->step_contradicted);
   EXPECT_THAT(due.update->guess, IsNear(Pose2{0.6, 0.0, 1.5}, kMatched));
   EXPECT_TRUE(drive.front_end.newest_is_matched());
+}
+
+TEST(FrontEnd, AfterAScanThatFitsNowhereOdometryAloneTellsTheMotionSinceTheUpdate) {
+  const TestRoom another = rectangular_room(5.0, 26.0);
+  Drive drive({.update_distance = 0.5});
+  for (const double way : {0.0, 0.2, 0.2}) drive.step(way);
+  ASSERT_TRUE(drive.step(0.2).update);
+  drive.step(0.2, {}, another);
+  ASSERT_FALSE(drive.front_end.newest_is_matched());
+  const FrontEnd::Result due = drive.step(0.3);
+  ASSERT_TRUE(due.update);
+  EXPECT_EQ(due.update->condensed, Pose2{});
+  EXPECT_THAT(*due.update->step, IsNear(Pose2{1.1 * 0.5, 0.0, 0.0}, kExact));
+  EXPECT_TRUE(due.update->guess_is_doubtful);
+  EXPECT_FALSE(drive.front_end.updates().back().is_condensed);
 }
 
 TEST(FrontEnd, MatchesWithTheNewestScanAloneOnceThePastIsForgotten) {

@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "algorithms/particles/hypotheses.h"
+#include "algorithms/rbpf/place_search.h"
 #include "algorithms/scan/beam_weights.h"
 #include "core/check.h"
 
@@ -15,6 +16,9 @@ namespace mapbed {
 namespace {
 
 constexpr std::size_t kMinHits = 10;  // of a scan that sees something, as in the matcher
+// Of a scan at the front end's guess; below, it is looked for elsewhere. As the matcher has them
+// for a match that is not to be trusted, and for one that does not convince.
+constexpr double kBadUnlessExplained = 0.4, kDoubtfulUnlessExplained = 0.7;
 
 }  // namespace
 
@@ -65,10 +69,12 @@ void GridSlam::update(const LaserScan& scan, std::span<const float> beam_weights
   }
   const std::vector<double> weights_before = log_weights();
   const ScanForWeighting& scan_before = weighting_scans_[number - 1];
+  UpdateMotion searched = motion;
+  searched.other_guess = other_guess(prepared_scan, scan_before, motion);
   tbb::parallel_for(std::size_t{0}, particles_.size(), [&](std::size_t i) {
     Rng own = rng_.stream("particle", i, number);
     particles_[i].map.add(scan_before.surface, particles_[i].history->pose);
-    move_and_weight(particles_[i], prepared_scan, motion, own);
+    move_and_weight(particles_[i], prepared_scan, searched, own);
   });
   const bool sees = prepared_scan.hits.size() >= kMinHits;
   if (sees && relocalized(prepared_scan, weights_before)) return;
@@ -138,18 +144,44 @@ void GridSlam::restart_at(const Pose2& found) {
   breaks_.push_back({relocalization_->since(), relocalization_->first_update()});
 }
 
+PosePrior GridSlam::prior_of(const Particle& particle, const UpdateMotion& motion) const {
+  return prior_after(
+      particle.pose, motion,
+      {options_.matching_errors, options_.odometry_errors, options_.matcher.motion,
+       options_.matcher.wide_search.window, options_.matcher.wide_search.turn_window});
+}
+
+// Where the best particle's map explains clearly more of the scan than near the front end's guess.
+std::optional<Pose2> GridSlam::other_guess(const ScanForWeighting& scan,
+                                           const ScanForWeighting& before,
+                                           const UpdateMotion& motion) const {
+  if (options_.proposal != Proposal::improved || motion.step_contradicted) return {};
+  if (scan.hits.size() < kMinHits) return {};
+  const Particle& particle = best();
+  SurfaceMap map = particle.map;
+  map.add(before.surface, particle.history->pose);
+  const std::optional<Pose2> found = likelier_place(
+      particle.pose * motion.guess, scan, map, prior_of(particle, motion), likelihood_,
+      motion.guess_is_doubtful ? kDoubtfulUnlessExplained : kBadUnlessExplained);
+  if (!found) return {};
+  return motion_between(particle.pose, *found);
+}
+
 void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
                                const UpdateMotion& motion, Rng& rng) const {
-  const MotionErrors errors{options_.matching_errors, options_.odometry_errors,
-                            options_.matcher.motion, options_.matcher.wide_search.window,
-                            options_.matcher.wide_search.turn_window};
   // Where odometry is known to be wrong, the scan alone says where to draw.
   const bool from_scan = options_.proposal == Proposal::improved ||
                          (options_.proposal == Proposal::scan_matching && motion.step_contradicted);
   if (from_scan) {
-    const PosePrior prior = prior_after(particle.pose, motion, errors);
-    const LocalPosterior posterior =
+    const PosePrior prior = prior_of(particle, motion);
+    LocalPosterior posterior =
         likelihood_.local_posterior(particle.pose * motion.guess, scan, particle.map, prior);
+    if (motion.other_guess) {
+      const LocalPosterior other = likelihood_.local_posterior(particle.pose * *motion.other_guess,
+                                                               scan, particle.map, prior);
+      const double odds = std::exp(other.log_evidence - posterior.log_evidence);
+      if (rng.uniform() * (1.0 + odds) >= 1.0) posterior = other;
+    }
     particle.pose = drawn_from(posterior.mode, posterior.covariance, rng);
     particle.log_weight += posterior.log_evidence;
     return;
@@ -157,7 +189,7 @@ void GridSlam::move_and_weight(Particle& particle, const ScanForWeighting& scan,
   if (options_.proposal == Proposal::odometry) {
     particle.pose = particle.pose * sampled_motion(motion.whole, options_.odometry_errors, rng);
   } else {
-    const PosePrior prior = prior_after(particle.pose, motion, errors);
+    const PosePrior prior = prior_of(particle, motion);
     particle.pose = drawn_from(prior.mean, prior.information.inverse(), rng);
   }
   particle.log_weight += likelihood_.log_likelihood(scan, particle.map, particle.pose);

@@ -55,6 +55,9 @@ class GridSlam : public Estimator {
   void update(const LaserScan& scan, std::span<const float> beam_weights,
               const UpdateMotion& motion);
   void start();
+  PosePrior prior_of(const Particle& particle, const UpdateMotion& motion) const;
+  std::optional<Pose2> other_guess(const ScanForWeighting& scan, const ScanForWeighting& before,
+                                   const UpdateMotion& motion) const;
   void move_and_weight(Particle& particle, const ScanForWeighting& scan, const UpdateMotion& motion,
                        Rng& rng) const;
   bool relocalized(const ScanForWeighting& scan, const std::vector<double>& weights_before);

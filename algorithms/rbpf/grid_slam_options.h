@@ -31,7 +31,7 @@ struct GridSlamOptions {
                                      .translation_per_rotation = 0.02,
                                      .least_rotation_sigma = 0.004,
                                      .least_translation_sigma = 0.005};
-  IncrementalMatcherOptions matcher{.local_map = {.max_scans = 40}};
+  IncrementalMatcherOptions matcher{.points = {.max_range = 80.0}, .local_map = {.max_scans = 40}};
   bool best_only_after_loop = false;
   LoopClosingOptions loop_closing;
   RefinementOptions refinement;

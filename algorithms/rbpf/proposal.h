@@ -27,6 +27,9 @@ struct UpdateMotion {
   std::optional<Pose2> step;  // on from there, by odometry; none: there is none
   double seconds = 0.0;       // of that step
   Pose2 guess;                // with the help of the update's scan
+  // Where the best particle's map explains clearly more of the scan than near the guess.
+  std::optional<Pose2> other_guess = {};
+  bool guess_is_doubtful = false;  // the update's scan fits nowhere near, or one before it did not
   // The scan fits nowhere near where the step ends, but elsewhere: wheels that spun, odometry that
   // missed a turn. What the step says then counts for nothing.
   bool step_contradicted = false;
