@@ -28,7 +28,8 @@ class CountingMap {
 
   void insert(const Beam& beam);
   const TiledGrid<Cell>& cells() const { return cells_; }
-  OccupancyMap occupancy() const;
+  OccupancyMap occupancy() const&;
+  OccupancyMap occupancy() &&;  // the counts are given up for it
 
  private:
   TiledGrid<Cell> cells_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -78,7 +79,7 @@ OccupancyMap build(const ScanList& scans, const Trajectory& map_from_robot,
   if (options.model == MapModel::counting) {
     CountingMap map(frame);
     insert_all(scans, map_from_robot, options.beams, map);
-    return map.occupancy();
+    return std::move(map).occupancy();
   }
   if (options.model == MapModel::odds) {
     OddsMap map(frame, options.odds);

@@ -119,15 +119,18 @@ OccupancyMap occupancy_map_of(const MapServerMap& map) {
 
 void write_map(const std::string& stem, const OccupancyMap& map, MapServerMode mode) {
   const CellBox box = image_box(map, stem);
-  const Eigen::Vector2d corner = map.frame().corner_of(box.min);
-  MapServerMap file{.occupancy = Image<float>(box.width(), box.height()),
-                    .resolution = map.resolution(),
-                    .map_from_image = {corner.x(), corner.y(), 0.0}};
-  auto pixel = file.occupancy.pixels().begin();
+  GrayImage greys(box.width(), box.height());
+  auto pixel = greys.pixels().begin();
   for (int y = box.max.y; y >= box.min.y; --y) {
-    for (int x = box.min.x; x <= box.max.x; ++x) *pixel++ = map[{x, y}].probability;
+    for (int x = box.min.x; x <= box.max.x; ++x) {
+      *pixel++ = map_server_grey(map[{x, y}].probability, mode);
+    }
   }
-  write_map_server(stem, file, mode);
+  const Eigen::Vector2d corner = map.frame().corner_of(box.min);
+  write_map_server(stem, greys,
+                   {.resolution = map.resolution(),
+                    .map_from_image = {corner.x(), corner.y(), 0.0},
+                    .mode = mode});
 }
 
 OccupancyMap read_map(const std::string& path, std::optional<double> resolution) {

@@ -24,16 +24,32 @@ inline CellBox known_box(const OccupancyMap& map) {
   return map.box_where([](const Occupancy& cell) { return cell.known(); });
 }
 
+// Writes what is known of a cell.
+template <class Reader>
+struct WriteOccupancy {
+  OccupancyMap::Writer writer;
+  Reader& read;
+  template <class Cell>
+  void operator()(CellIndex index, const Cell& cell) {
+    const Occupancy occupancy = read(cell);
+    if (occupancy.known()) writer.at(index) = occupancy;
+  }
+};
+
 // A map of `read(cell)`, the Occupancy that a model's cell stands for; tiles of which nothing is
 // known are left out.
 template <class Cell, class Reader>
 OccupancyMap occupancy_of(const TiledGrid<Cell>& cells, Reader&& read) {
   OccupancyMap map(cells.frame());
-  OccupancyMap::Writer writer(map);
-  cells.for_each([&](CellIndex index, const Cell& cell) {
-    const Occupancy occupancy = read(cell);
-    if (occupancy.known()) writer.at(index) = occupancy;
-  });
+  cells.for_each(WriteOccupancy{OccupancyMap::Writer(map), read});
+  return map;
+}
+
+// The same of cells that are given up for it, their memory tile by tile.
+template <class Cell, class Reader>
+OccupancyMap occupancy_of(TiledGrid<Cell>&& cells, Reader&& read) {
+  OccupancyMap map(cells.frame());
+  cells.drain(WriteOccupancy{OccupancyMap::Writer(map), read});
   return map;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "algorithms/grid/grid_size.h"
@@ -56,6 +57,17 @@ class TileDirectory {
     for (int y = min_y_; y < min_y_ + height_; ++y) {
       for (int x = min_x_; x < min_x_ + width_; ++x) {
         const Tile* tile = tiles_[slot_of(x, y)].get();
+        if (tile != nullptr) visit(x, y, *tile);
+      }
+    }
+  }
+
+  // The same, each tile freed once it was visited.
+  template <class Visitor>
+  void drain(Visitor&& visit) {
+    for (int y = min_y_; y < min_y_ + height_; ++y) {
+      for (int x = min_x_; x < min_x_ + width_; ++x) {
+        const std::unique_ptr<Tile> tile = std::move(tiles_[slot_of(x, y)]);
         if (tile != nullptr) visit(x, y, *tile);
       }
     }

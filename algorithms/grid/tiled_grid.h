@@ -86,13 +86,13 @@ class TiledGrid {
   // visit(cell index, cell) for every cell of every tile, row by row within a tile.
   template <class Visitor>
   void for_each(Visitor&& visit) const {
-    tiles_.for_each([&](int tile_x, int tile_y, const Tile& tile) {
-      for (int i = 0; i < kTileSide * kTileSide; ++i) {
-        visit(CellIndex{(tile_x << kTileBits) + (i & (kTileSide - 1)),
-                        (tile_y << kTileBits) + (i >> kTileBits)},
-              tile[static_cast<std::size_t>(i)]);
-      }
-    });
+    tiles_.for_each([&](int x, int y, const Tile& tile) { visit_tile(x, y, tile, visit); });
+  }
+  // The same, the memory of each tile given back once it was visited: for what is turned into
+  // another grid.
+  template <class Visitor>
+  void drain(Visitor&& visit) {
+    tiles_.drain([&](int x, int y, const Tile& tile) { visit_tile(x, y, tile, visit); });
   }
 
   // The bounding box of the cells for which `is_known` holds.
@@ -108,6 +108,14 @@ class TiledGrid {
   }
 
  private:
+  template <class Visitor>
+  static void visit_tile(int tile_x, int tile_y, const Tile& tile, Visitor& visit) {
+    for (int i = 0; i < kTileSide * kTileSide; ++i) {
+      visit(CellIndex{(tile_x << kTileBits) + (i & (kTileSide - 1)),
+                      (tile_y << kTileBits) + (i >> kTileBits)},
+            tile[static_cast<std::size_t>(i)]);
+    }
+  }
   static std::size_t offset_of(CellIndex cell) {
     return static_cast<std::size_t>(((cell.y & (kTileSide - 1)) << kTileBits) |
                                     (cell.x & (kTileSide - 1)));

@@ -47,6 +47,23 @@ TEST(TiledGrid, ACopyIsIndependent) {
   EXPECT_EQ(grid[(CellIndex{5, 5})], 2);
 }
 
+TEST(TiledGrid, ADrainedGridVisitsTheSameCellsAndHoldsNothing) {
+  TiledGrid<int> grid(0.1);
+  grid.at({-40, 3}) = 1;
+  grid.at({900, -700}) = 2;
+  std::vector<std::pair<int, int>> visited, drained;
+  const auto into = [](std::vector<std::pair<int, int>>& cells) {
+    return [&cells](CellIndex cell, int value) {
+      if (value != 0) cells.emplace_back(cell.x, value);
+    };
+  };
+  grid.for_each(into(visited));
+  grid.drain(into(drained));
+  EXPECT_EQ(drained, visited);
+  EXPECT_EQ(drained.size(), 2U);
+  EXPECT_EQ(grid.tile_count(), 0U);
+}
+
 TEST(TiledGrid, KnowsTheBoxOfTheCellsAskedFor) {
   TiledGrid<int> grid(0.1);
   EXPECT_TRUE(grid.box_where([](int cell) { return cell > 0; }).empty());

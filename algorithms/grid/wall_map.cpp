@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "algorithms/grid/traversal.h"
@@ -103,7 +104,7 @@ class EvidenceMap {
     });
   }
 
-  OccupancyMap occupancy() const { return occupancy_of(cells_, occupancy_of_cell); }
+  OccupancyMap occupancy() && { return occupancy_of(std::move(cells_), occupancy_of_cell); }
 
  private:
   // Surfaces touch in corners, where a beam slips through.
@@ -128,7 +129,7 @@ OccupancyMap wall_map(const SensorLog& log, const Trajectory& map_from_robot,
   for (std::size_t i = 0; i < scans.size(); ++i)
     map.clear_without_return(*scans[i], map_from_robot[i].pose,
                              static_cast<std::uint32_t>(scans.size() + i + 1));
-  return map.occupancy();
+  return std::move(map).occupancy();
 }
 
 }  // namespace mapbed

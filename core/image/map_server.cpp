@@ -162,28 +162,40 @@ Image<float> occupancy_of(const Samples& picture, const MapServerFile& file) {
   return occupancy;
 }
 
-void write_map_server(const std::string& stem, const MapServerMap& map, MapServerMode mode) {
+std::uint8_t map_server_grey(float occupancy, MapServerMode mode,
+                             const MapServerThresholds& thresholds) {
   CHECK(mode != MapServerMode::scale);
-  GrayImage image(map.occupancy.width(), map.occupancy.height());
-  const bool raw = mode == MapServerMode::raw;
-  const auto grey_of = [&](float occupancy) {
-    if (raw)
-      return occupancy < 0.0F ? kUnknownPercent
-                              : static_cast<std::uint8_t>(std::lround(100.0F * occupancy));
-    if (occupancy > map.thresholds.occupied) return kOccupiedGrey;
-    const bool free = occupancy >= 0.0F && occupancy < map.thresholds.free;
-    return free ? kFreeGrey : kUnknownGrey;
-  };
+  if (mode == MapServerMode::raw) {
+    return occupancy < 0.0F ? kUnknownPercent
+                            : static_cast<std::uint8_t>(std::lround(100.0F * occupancy));
+  }
+  if (occupancy > thresholds.occupied) return kOccupiedGrey;
+  const bool free = occupancy >= 0.0F && occupancy < thresholds.free;
+  return free ? kFreeGrey : kUnknownGrey;
+}
+
+void write_map_server(const std::string& stem, const GrayImage& greys, const MapServerFile& file) {
+  CHECK(file.mode != MapServerMode::scale && !file.negate);
+  write_pgm(stem + ".pgm", greys);
+  write_file(stem + ".yaml",
+             fmt::format("image: {}\nmode: {}\nresolution: {}\norigin: [{}, {}, {}]\n"
+                         "negate: 0\noccupied_thresh: {}\nfree_thresh: {}\n",
+                         yaml_scalar(fs::path(stem + ".pgm").filename().string()),
+                         file.mode == MapServerMode::raw ? "raw" : "trinary", file.resolution,
+                         file.map_from_image.x, file.map_from_image.y, file.map_from_image.theta,
+                         file.thresholds.occupied, file.thresholds.free));
+}
+
+void write_map_server(const std::string& stem, const MapServerMap& map, MapServerMode mode) {
+  GrayImage greys(map.occupancy.width(), map.occupancy.height());
   std::transform(map.occupancy.pixels().begin(), map.occupancy.pixels().end(),
-                 image.pixels().begin(), grey_of);
-  write_pgm(stem + ".pgm", image);
-  write_file(
-      stem + ".yaml",
-      fmt::format("image: {}\nmode: {}\nresolution: {}\norigin: [{}, {}, {}]\n"
-                  "negate: 0\noccupied_thresh: {}\nfree_thresh: {}\n",
-                  yaml_scalar(fs::path(stem + ".pgm").filename().string()), raw ? "raw" : "trinary",
-                  map.resolution, map.map_from_image.x, map.map_from_image.y,
-                  map.map_from_image.theta, map.thresholds.occupied, map.thresholds.free));
+                 greys.pixels().begin(),
+                 [&](float occupancy) { return map_server_grey(occupancy, mode, map.thresholds); });
+  write_map_server(stem, greys,
+                   {.resolution = map.resolution,
+                    .map_from_image = map.map_from_image,
+                    .mode = mode,
+                    .thresholds = map.thresholds});
 }
 
 }  // namespace mapbed

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "core/geometry/pose2.h"
@@ -26,13 +27,13 @@ struct MapServerThresholds {
 
 // What the YAML file says.
 struct MapServerFile {
-  std::string image;         // path
+  std::string image = {};    // path
   double resolution = 0.05;  // [m] side of a pixel
   Pose2 map_from_image;      // lower left corner of the picture, x along its lower edge, y up
   MapServerMode mode = MapServerMode::trinary;
   bool negate = false;
-  MapServerThresholds thresholds;
-  SourceLocation image_place;
+  MapServerThresholds thresholds = {};
+  SourceLocation image_place = {};
 };
 
 struct MapServerMap {
@@ -54,8 +55,15 @@ MapServerMap read_map_server(const std::string& yaml_path);
 // What a picture says under the mode, the sense and the thresholds of a file.
 Image<float> occupancy_of(const Samples& picture, const MapServerFile& file);
 
-// Writes `stem`.pgm and `stem`.yaml in mode trinary or raw, which keeps probabilities in percent;
-// each complete or not at all. Throws InputError where they cannot be written.
+// The pixel that stands for a probability, or for kUnknown, in mode trinary or raw.
+std::uint8_t map_server_grey(float occupancy, MapServerMode mode,
+                             const MapServerThresholds& thresholds = {});
+
+// Writes `stem`.pgm, whose pixels are made so, and `stem`.yaml, each complete or not at all; the
+// path of the image in `file` is not looked at. Throws InputError where they cannot be written.
+void write_map_server(const std::string& stem, const GrayImage& greys, const MapServerFile& file);
+
+// The same in mode trinary or raw, which keeps probabilities in percent.
 void write_map_server(const std::string& stem, const MapServerMap& map,
                       MapServerMode mode = MapServerMode::trinary);
 

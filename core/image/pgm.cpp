@@ -63,17 +63,25 @@ void read_binary(std::string_view bytes, const std::string& name, Samples& pictu
   }
 }
 
+std::string header_of(const GrayImage& image) {
+  return "P5\n" + std::to_string(image.width()) + " " + std::to_string(image.height()) + "\n255\n";
+}
+
 }  // namespace
 
 std::string pgm_of(const GrayImage& image) {
-  std::string bytes =
-      "P5\n" + std::to_string(image.width()) + " " + std::to_string(image.height()) + "\n255\n";
+  std::string bytes = header_of(image);
   bytes.append(image.pixels().begin(), image.pixels().end());
   return bytes;
 }
 
+// Without a copy of the pixels.
 void write_pgm(const std::string& path, const GrayImage& image) {
-  write_file(path, pgm_of(image));
+  AtomicFile file(path);
+  file.stream() << header_of(image);
+  file.stream().write(reinterpret_cast<const char*>(image.pixels().data()),
+                      static_cast<std::streamsize>(image.pixels().size()));
+  file.commit();
 }
 
 Samples samples_from_pgm(std::string_view pgm, const std::string& name) {
