@@ -15,12 +15,20 @@ ObservedGround::Outline ObservedGround::outline_of(const LaserScan& scan, double
     return std::clamp(scan.ranges[beam], 0.0, std::min(scan.max_range, max_range));
   };
   const bool is_of_one_place = scan.robot_from_beams.empty();
+  const double c = std::cos(map_from_laser.theta), s = std::sin(map_from_laser.theta);
+  std::vector<Eigen::Vector2d> directions;  // of beams, in the laser's frame
+  for (std::size_t beam = 0; is_of_one_place && beam < scan.ranges.size(); ++beam) {
+    const double bearing = scan.bearing(beam);
+    directions.emplace_back(std::cos(bearing), std::sin(bearing));
+  }
   const auto at = [&](std::size_t beam, double range) -> Eigen::Vector2d {
     if (!is_of_one_place) return map_from_robot * scan.point_on(beam, range);
-    const double bearing = scan.bearing(beam);
-    return map_from_laser * Eigen::Vector2d(range * std::cos(bearing), range * std::sin(bearing));
+    const Eigen::Vector2d point = range * directions[beam];
+    return {map_from_laser.x + c * point.x() - s * point.y(),
+            map_from_laser.y + s * point.x() + c * point.y()};
   };
   Outline outline{map_from_laser.position()};
+  outline.reserve(2 * scan.ranges.size() + 1);
   for (std::size_t beam = 1; beam < scan.ranges.size(); ++beam) {
     const double both = std::min(reach(beam - 1), reach(beam));
     outline.push_back(at(beam - 1, both));

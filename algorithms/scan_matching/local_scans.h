@@ -42,6 +42,9 @@ class LocalScans {
 
  private:
   void forget_oldest(std::size_t count);
+  void forget_surfaces(std::size_t count);  // and brings the field up to date
+  void forget_ground(std::size_t count);
+  void forget_poses(std::size_t count);
 
   LocalMapOptions options_;
   double max_range_;

@@ -95,6 +95,23 @@ void BM_CorrelativeMatch(benchmark::State& state) {
 }
 BENCHMARK(BM_CorrelativeMatch)->Unit(benchmark::kMillisecond);
 
+// Near a prediction, as scans are matched one after the other.
+void BM_CorrelativeMatchNearby(benchmark::State& state) {
+  const CorrelativeMatcherOptions options;
+  const BoundPyramid pyramid = make_bound_pyramid(place().field, options.window);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    const LaserScan& scan = place().scans[(i += 7) % place().scans.size()];
+    const FieldPoints points = place().points(scan);
+    const Pose2 guess = place().true_pose(scan) * Pose2{0.1, -0.05, radians(3.0)};
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(match_correlative(points, place().field, pyramid,
+                                               independent_prior(guess, 0.1, 0.1, 0.1), options));
+  }
+}
+BENCHMARK(BM_CorrelativeMatchNearby)->Unit(benchmark::kMicrosecond);
+
 void BM_BoundPyramid(benchmark::State& state) {
   const double window = static_cast<double>(state.range(0));
   for (auto _ : state) {
@@ -117,6 +134,24 @@ void BM_LocalMapRebuild(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_LocalMapRebuild)->Arg(25)->Arg(100)->Unit(benchmark::kMillisecond);
+
+// As a local map moves on: a scan comes in for one that leaves, and the field follows.
+void BM_LocalMapUpdate(benchmark::State& state) {
+  LikelihoodField field;
+  SurfaceMeans means(field.resolution());
+  const std::size_t scans = place().surfaces.size() / 2;
+  for (std::size_t i = 0; i < scans; ++i) means.add(place().surfaces[i]);
+  field.update(means, means.take_changed());
+  std::size_t oldest = 0;
+  for (auto _ : state) {
+    means.remove(place().surfaces[oldest]);
+    means.add(place().surfaces[(oldest + scans) % place().surfaces.size()]);
+    oldest = (oldest + 1) % place().surfaces.size();
+    field.update(means, means.take_changed());
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(BM_LocalMapUpdate)->Unit(benchmark::kMicrosecond);
 
 // CARMEN text in memory; the bytes are those of the text.
 void BM_LogReading(benchmark::State& state) {
