@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kLongestLag = 0.6;  // [s]
 constexpr double kLagStep = 0.01;    // [s]
-// [s] That matters. Of right stamps a few bends of corridors make 0.06: the way from scan to scan
-// changes ranges too.
+// [s] That is told. Right stamps seemed 0.06 s early on one of 200 simulated drives, in corridors
+// with few bends; why is not known.
 constexpr double kLeastLag = 0.08;
 constexpr double kLongestStep = 1.2;     // [s] between two scans
 constexpr double kShortestWay = 0.15;    // [m] up to which a robot turns on the spot
