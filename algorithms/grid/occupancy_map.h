@@ -24,24 +24,21 @@ inline CellBox known_box(const OccupancyMap& map) {
   return map.box_where([](const Occupancy& cell) { return cell.known(); });
 }
 
-// Writes what is known of a cell.
+// Writes what `read` knows of a cell into `map`.
 template <class Reader>
-struct WriteOccupancy {
-  OccupancyMap::Writer writer;
-  Reader& read;
-  template <class Cell>
-  void operator()(CellIndex index, const Cell& cell) {
+auto write_occupancy(OccupancyMap& map, Reader& read) {
+  return [writer = OccupancyMap::Writer(map), &read](CellIndex index, const auto& cell) mutable {
     const Occupancy occupancy = read(cell);
     if (occupancy.known()) writer.at(index) = occupancy;
-  }
-};
+  };
+}
 
 // A map of `read(cell)`, the Occupancy that a model's cell stands for; tiles of which nothing is
 // known are left out.
 template <class Cell, class Reader>
 OccupancyMap occupancy_of(const TiledGrid<Cell>& cells, Reader&& read) {
   OccupancyMap map(cells.frame());
-  cells.for_each(WriteOccupancy{OccupancyMap::Writer(map), read});
+  cells.for_each(write_occupancy(map, read));
   return map;
 }
 
@@ -49,7 +46,7 @@ OccupancyMap occupancy_of(const TiledGrid<Cell>& cells, Reader&& read) {
 template <class Cell, class Reader>
 OccupancyMap occupancy_of(TiledGrid<Cell>&& cells, Reader&& read) {
   OccupancyMap map(cells.frame());
-  cells.drain(WriteOccupancy{OccupancyMap::Writer(map), read});
+  cells.drain(write_occupancy(map, read));
   return map;
 }
 
