@@ -16,9 +16,6 @@ namespace mapbed {
 namespace {
 
 constexpr std::size_t kMinHits = 10;  // of a scan that sees something, as in the matcher
-// Of a scan at the front end's guess; below, it is looked for elsewhere. As the matcher has them
-// for a match that is not to be trusted, and for one that does not convince.
-constexpr double kBadUnlessExplained = 0.4, kDoubtfulUnlessExplained = 0.7;
 
 }  // namespace
 
@@ -160,9 +157,11 @@ std::optional<Pose2> GridSlam::other_guess(const ScanForWeighting& scan,
   const Particle& particle = best();
   SurfaceMap map = particle.map;
   map.add(before.surface, particle.history->pose);
+  // As the matcher has them for a match that does not convince, and for one that is not trusted.
+  const double enough = motion.guess_is_doubtful ? options_.matcher.search_below
+                                                 : options_.matcher.climb.min_inlier_ratio;
   const std::optional<Pose2> found = likelier_place(
-      particle.pose * motion.guess, scan, map, prior_of(particle, motion), likelihood_,
-      motion.guess_is_doubtful ? kDoubtfulUnlessExplained : kBadUnlessExplained);
+      particle.pose * motion.guess, scan, map, prior_of(particle, motion), likelihood_, enough);
   if (!found) return {};
   return motion_between(particle.pose, *found);
 }

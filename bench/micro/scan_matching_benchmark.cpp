@@ -79,36 +79,35 @@ void BM_HillClimbing(benchmark::State& state) {
 }
 BENCHMARK(BM_HillClimbing)->Unit(benchmark::kMicrosecond);
 
-// In the whole map, shifts of up to 7 m and turns of up to 30 degrees, without a prior.
-void BM_CorrelativeMatch(benchmark::State& state) {
-  const CorrelativeMatcherOptions options{.window = 7.0, .turn_window = radians(30.0)};
+// `prior_of(true pose)` is what is known of it.
+template <class PriorOf>
+void match_correlatively(benchmark::State& state, const CorrelativeMatcherOptions& options,
+                         const PriorOf& prior_of) {
   const BoundPyramid pyramid = make_bound_pyramid(place().field, options.window);
   std::size_t i = 0;
   for (auto _ : state) {
     state.PauseTiming();
     const LaserScan& scan = place().scans[(i += 7) % place().scans.size()];
     const FieldPoints points = place().points(scan);
-    const PosePrior guess{.mean = place().true_pose(scan) * Pose2{2.0, -1.0, radians(20.0)}};
+    const PosePrior prior = prior_of(place().true_pose(scan));
     state.ResumeTiming();
-    benchmark::DoNotOptimize(match_correlative(points, place().field, pyramid, guess, options));
+    benchmark::DoNotOptimize(match_correlative(points, place().field, pyramid, prior, options));
   }
+}
+
+// In the whole map, shifts of up to 7 m and turns of up to 30 degrees, without a prior.
+void BM_CorrelativeMatch(benchmark::State& state) {
+  match_correlatively(state, {.window = 7.0, .turn_window = radians(30.0)}, [](const Pose2& pose) {
+    return PosePrior{.mean = pose * Pose2{2.0, -1.0, radians(20.0)}};
+  });
 }
 BENCHMARK(BM_CorrelativeMatch)->Unit(benchmark::kMillisecond);
 
 // Near a prediction, as scans are matched one after the other.
 void BM_CorrelativeMatchNearby(benchmark::State& state) {
-  const CorrelativeMatcherOptions options;
-  const BoundPyramid pyramid = make_bound_pyramid(place().field, options.window);
-  std::size_t i = 0;
-  for (auto _ : state) {
-    state.PauseTiming();
-    const LaserScan& scan = place().scans[(i += 7) % place().scans.size()];
-    const FieldPoints points = place().points(scan);
-    const Pose2 guess = place().true_pose(scan) * Pose2{0.1, -0.05, radians(3.0)};
-    state.ResumeTiming();
-    benchmark::DoNotOptimize(match_correlative(points, place().field, pyramid,
-                                               independent_prior(guess, 0.1, 0.1, 0.1), options));
-  }
+  match_correlatively(state, {}, [](const Pose2& pose) {
+    return independent_prior(pose * Pose2{0.1, -0.05, radians(3.0)}, 0.1, 0.1, 0.1);
+  });
 }
 BENCHMARK(BM_CorrelativeMatchNearby)->Unit(benchmark::kMicrosecond);
 
