@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "core/config/option.h"
 
 namespace mapbed {
@@ -9,6 +12,15 @@ enum class DriveKind : int {
   differential,  // two driven wheels and a caster
   skid_steer,    // four fixed wheels; turns by scrubbing
 };
+
+// As files write them, by the kind's number.
+inline const std::vector<std::string>& drive_kind_names() {
+  static const std::vector<std::string> names{"synchro", "differential", "skid_steer"};
+  return names;
+}
+inline const std::string& name_of(DriveKind kind) {
+  return drive_kind_names()[static_cast<std::size_t>(kind)];
+}
 
 // How the robot's wheels meet the floor.
 struct DriveModel {
@@ -27,7 +39,7 @@ struct DriveModel {
 
 template <class Visitor>
 void visit_fields(DriveModel& o, Visitor&& visit) {
-  visit("kind", o.kind, {"synchro", "differential", "skid_steer"}, "how the wheels are arranged");
+  visit("kind", o.kind, drive_kind_names(), "how the wheels are arranged");
   visit("max_speed", o.max_speed, Unit::meter_per_second, between(0.001, 100.0),
         "fastest forward or back");
   visit("max_turn_speed", o.max_turn_speed, Unit::radian_per_second, between(0.001, 100.0),

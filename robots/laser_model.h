@@ -21,6 +21,8 @@ struct LaserNoise {
   double near_range = 8.0;              // [m]
   double far_range = 20.0;              // [m]
   double bias = 0.0;                    // [m] systematic error, added to every reading
+  double bias_spread = 0.0;             // [m] sigma of a further one, drawn once a device ...
+  double scale_spread = 0.0;            // ... and of a relative one of all ranges
   double step = 0.01;                   // [m] readings are whole multiples of this
   double dark_range = 10.0;             // [m] a 10 % reflector, met head on, is seen half the time
   double dark_softness = 0.1;           // sigma of that limit, as a fraction of it
@@ -35,9 +37,11 @@ struct LaserNoise {
 // A planar laser range finder: geometry, timing, beam, noise.
 struct LaserModel {
   std::string about;
+  std::string source;  // where the values are from, and which document was not opened; no option
   int beams = 180;
   double first_bearing = -1.5707963267948966;  // [rad] of beam 0, in the laser frame
   double bearing_step = 0.017453292519943295;  // [rad]
+  double min_range = 0.0;                      // [m] what is nearer is not seen: the beam fails
   double max_range = 8.19;                     // [m] a reading of this means: nothing was hit
   double scan_rate = 5.0;                      // [Hz] sweeps that are reported
   double mirror_rate = 75.0;                   // [Hz] turns of the mirror; 0: all beams at once
@@ -60,6 +64,10 @@ void visit_fields(LaserNoise& o, Visitor&& visit) {
   visit("near_range", o.near_range, Unit::meter, kNotNegative, "the error grows from here");
   visit("far_range", o.far_range, Unit::meter, kNotNegative, "the error stops growing here");
   visit("bias", o.bias, Unit::meter, "systematic error, added to every reading");
+  visit("bias_spread", o.bias_spread, Unit::meter, between(0.0, 10.0),
+        "sigma of a further one, drawn once a device");
+  visit("scale_spread", o.scale_spread, between(0.0, 0.5),
+        "relative sigma of the scale of all ranges, drawn once a device");
   visit("step", o.step, Unit::meter, between(0.0, 10.0), "readings are multiples of this");
   visit("dark_range", o.dark_range, Unit::meter, kNotNegative,
         "a 10 % reflector met head on is seen half the time here; 0: everything is seen");
@@ -81,6 +89,8 @@ void visit_fields(LaserModel& o, Visitor&& visit) {
   visit("first_bearing", o.first_bearing, Unit::radian, "direction of the first reading");
   visit("bearing_step", o.bearing_step, Unit::radian, between(1e-6, 6.3),
         "from one reading to the next");
+  visit("min_range", o.min_range, Unit::meter, between(0.0, 100.0),
+        "what is nearer is not seen: the beam fails and reads 0");
   visit("max_range", o.max_range, Unit::meter, between(0.01, 1000.0),
         "the reading that means nothing");
   visit("scan_rate", o.scan_rate, Unit::hertz, between(0.001, 10'000.0),

@@ -92,6 +92,7 @@ Robot load_robot(const std::string& name_or_path) {
   robot.files = {input_file(path.string())};
   const ConfigNode file = load_config(path.string());
   robot.name = path.stem().string();
+  if (const ConfigNode* source = file.find("source")) robot.source = source->text();
   // Before there are sensors, whose names are not keys of the file.
   read_options(file, options_of(robot));
   check_footprint(file.at("footprint").place(), robot.footprint);

@@ -34,6 +34,7 @@ struct MountedSensor {
 struct Robot {
   std::string name;
   std::string about;
+  std::string source;   // where the values are from; no option
   double mass = 1.0;    // [kg]
   double height = 1.0;  // [m]
   RobotFootprint footprint;

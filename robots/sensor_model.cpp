@@ -25,6 +25,9 @@ void check(const LaserModel& laser, const SourceLocation& place) {
                          quantity_text(kMostRays, Unit::none) + " at most",
                      "lower beams, sub_rays or scan_rate");
   }
+  if (laser.min_range >= laser.max_range) {
+    throw InputError(place, "min_range is not below max_range", "nothing would be seen");
+  }
   if (laser.noise.far_range < laser.noise.near_range) {
     throw InputError(place, "noise.far_range is below noise.near_range",
                      "the error grows from near_range to far_range");
@@ -38,6 +41,7 @@ void check(const LaserModel& laser, const SourceLocation& place) {
 template <class Model>
 SensorModel model_in(const ConfigNode& file) {
   Model model;
+  if (const ConfigNode* source = file.find("source")) model.source = source->text();
   read_options(file, options_of(model));
   return model;
 }

@@ -15,6 +15,7 @@
 #include "core/log/log_description.h"
 #include "core/log/log_options.h"
 #include "robots/robot.h"
+#include "robots/specification.h"
 #include "sim/drivers/drivers.h"
 #include "sim/render/render_world.h"
 #include "worlds/worlds.h"
@@ -47,13 +48,23 @@ std::vector<CatalogueEntry> world_entries() {
   return entries;
 }
 
+// "…; source: …", where the file does not say it in a word the file itself.
+std::string with_source(const std::string& specification, const std::string& source,
+                        const std::string& file) {
+  return specification + "; source: " + (source.empty() ? "comments of " + file : source);
+}
+
 std::vector<CatalogueEntry> robot_entries() {
   std::vector<CatalogueEntry> entries;
   for (const std::string& name : robot_names()) {
-    entries.push_back({name, load_robot(name).about, [name] {
-                         Robot robot = load_robot(name);
-                         return to_yaml(options_of(robot));
-                       }});
+    const Robot loaded = load_robot(name);
+    entries.push_back(
+        {name, loaded.about,
+         [name] {
+           Robot robot = load_robot(name);
+           return to_yaml(options_of(robot));
+         },
+         with_source(specification(loaded), loaded.source, "robots/" + name + ".yaml")});
   }
   return entries;
 }
@@ -65,10 +76,15 @@ std::string about_of(const SensorModel& sensor) {
 std::vector<CatalogueEntry> sensor_entries() {
   std::vector<CatalogueEntry> entries;
   for (const std::string& name : sensor_names()) {
-    entries.push_back({name, about_of(load_sensor(name)), [name] {
-                         SensorModel sensor = load_sensor(name);
-                         return std::visit([](auto& s) { return to_yaml(options_of(s)); }, sensor);
-                       }});
+    const SensorModel loaded = load_sensor(name);
+    const std::string source = std::visit([](const auto& s) { return s.source; }, loaded);
+    entries.push_back(
+        {name, about_of(loaded),
+         [name] {
+           SensorModel sensor = load_sensor(name);
+           return std::visit([](auto& s) { return to_yaml(options_of(s)); }, sensor);
+         },
+         with_source(specification(loaded), source, "robots/sensors/" + name + ".yaml")});
   }
   return entries;
 }

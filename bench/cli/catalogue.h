@@ -11,6 +11,7 @@ struct CatalogueEntry {
   std::string name;
   std::string about;
   std::function<std::string()> describe;  // every option with default, unit and meaning, as YAML
+  std::string specification = {};  // in a line, with its source; empty: it has none but its name
 };
 
 // Things of one kind. The entries are looked up only when asked for: some stand in files.

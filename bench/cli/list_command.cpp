@@ -15,12 +15,14 @@
 namespace mapbed {
 namespace {
 
-int list(const std::string& kind) {
+int list(const std::string& kind, bool about) {
   for (const CatalogueShelf& shelf : catalogue()) {
     if (!kind.empty() && shelf.kind != kind) continue;
     if (kind.empty()) fmt::print("{}\n", shelf.kind);
     for (const CatalogueEntry& entry : shelf.entries()) {
-      fmt::print("{}{:<24} {}\n", kind.empty() ? "  " : "", entry.name, entry.about);
+      const bool specified = about && !entry.specification.empty();
+      fmt::print("{}{:<24} {}{}{}\n", kind.empty() ? "  " : "", entry.name, entry.about,
+                 specified ? ": " : "", specified ? entry.specification : "");
     }
   }
   return kDone;
@@ -56,16 +58,20 @@ int describe(const std::string& name) {
 
 Command list_command() {
   const auto kind = std::make_shared<std::string>();
+  const auto about = std::make_shared<bool>(false);
   std::string kinds;
   for (const CatalogueShelf& shelf : catalogue()) {
     kinds += (kinds.empty() ? "" : ", ") + shelf.kind;
   }
   return {.name = "list",
           .help = "List what there is",
-          .options = {{"KIND", kind.get(), "one of: " + kinds + "; all where left out"}},
-          .run = [kind] {
+          .options = {{"KIND", kind.get(), "one of: " + kinds + "; all where left out"},
+                      {"--about", about.get(),
+                       "what sensors and robots promise, a line each: range, field of view, rate, "
+                       "noise, size, limits, source"}},
+          .run = [kind, about] {
             if (!kind->empty()) check_kind(*kind);
-            return list(*kind);
+            return list(*kind, *about);
           }};
 }
 

@@ -67,6 +67,7 @@ LaserTarget target_of(const LaserReadingsOptions& o) {
 LaserModel laser_of(const LaserReadingsOptions& o) {
   LaserModel laser = load_laser(o.sensor);
   laser.noise.mixed_pixels = o.mixed_pixels;
+  laser.noise.bias_spread = laser.noise.scale_spread = 0.0;  // of devices, not of readings
   if (laser.noise.step <= 0.0 || o.mixed_pixels == MixedPixels::off) {
     throw InputError({}, "the readings have no specification to be compared with",
                      "take a laser whose noise.step is positive, and mixed_pixels other than off");

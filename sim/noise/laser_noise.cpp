@@ -130,7 +130,8 @@ bool is_too_dark(const Surface& surface, const LaserNoise& noise, double normal_
   return std::log(limit / surface.range) < noise.dark_softness * normal_draw;
 }
 
-double reading(std::span<const Echo> echoes, const LaserModel& model, const Draws& draws) {
+double reading(std::span<const Echo> echoes, const LaserModel& model, const DeviceError& device,
+               const Draws& draws) {
   const LaserNoise& noise = model.noise;
   if (draws.is_random < noise.random_probability) return draws.place * model.max_range;
   if (draws.miss < noise.miss_probability) return model.max_range;
@@ -145,7 +146,7 @@ double reading(std::span<const Echo> echoes, const LaserModel& model, const Draw
     return draws.place * std::min(range, model.max_range);
   }
   if (!std::isfinite(range)) return model.max_range;
-  return range + noise.bias + range_sigma(noise, range) * draws.error;
+  return device.scale * range + noise.bias + range_sigma(noise, range) * draws.error + device.bias;
 }
 
 double quantised(double range, double step) {
@@ -153,6 +154,12 @@ double quantised(double range, double step) {
 }
 
 }  // namespace
+
+DeviceError device_error(const LaserNoise& noise, int laser, const Rng& rng) {
+  Rng device = rng.stream("laser device", static_cast<std::uint64_t>(laser));
+  const double bias = noise.bias_spread * device.normal();
+  return {bias, 1.0 + noise.scale_spread * device.normal()};
+}
 
 double range_sigma(const LaserNoise& noise, double range) {
   if (range <= noise.near_range) return noise.sigma_near;
@@ -172,14 +179,17 @@ LaserScan with_noise(const IdealScan& ideal, const MountedLaser& laser, const Rn
   scan.bearing_step = model.bearing_step;
   scan.beam_period = model.beam_period();
   scan.max_range = model.max_range;
-  scan.ranges.resize(ideal.beam_count());
+  scan.ranges.resize(ideal.beam_count());  // 0: failed
 
   const double smallest = std::max(model.noise.step, 1e-3);  // 0 would mean: the beam failed
+  const DeviceError device = device_error(model.noise, ideal.laser, rng);
   const Rng sweep = rng.stream("laser", static_cast<std::uint64_t>(ideal.laser), ideal.sweep);
   for (std::size_t k = 0; k < scan.ranges.size(); ++k) {
     const Draws draws(sweep.stream("beam", k));
-    const double range = quantised(reading(ideal.beam(k), model, draws), model.noise.step);
-    scan.ranges[k] = range >= model.max_range ? model.max_range : std::max(range, smallest);
+    const double sent = quantised(reading(ideal.beam(k), model, device, draws), model.noise.step);
+    const double range = std::max(sent, smallest);
+    if (range < model.min_range) continue;
+    scan.ranges[k] = std::min(range, model.max_range);
   }
   return scan;
 }

@@ -214,6 +214,36 @@ TEST(LaserNoise, ABeamsDrawsDependOnNothingButItsOwnPlace) {
   EXPECT_NEAR(after.ranges[17] - before.ranges[17], -2.0, 1e-9);  // even its own error is the same
 }
 
+TEST(LaserNoise, WhatIsNearerThanItsLeastRangeFails) {
+  MountedLaser laser = noiseless_laser();
+  laser.model.min_range = 0.5;
+  for (const double range : readings({wall_at(0.4F)}, laser)) EXPECT_EQ(range, 0.0);
+  for (const double range : readings({wall_at(0.6F)}, laser)) EXPECT_NEAR(range, 0.6, 1e-6);
+}
+
+// Each device has an error of its own for a whole run; those of many have the sigma asked for.
+TEST(LaserNoise, DevicesDifferByBiasAndScale) {
+  MountedLaser laser = noiseless_laser();
+  laser.model.beams = 2;
+  laser.model.noise.bias_spread = 0.02;
+  laser.model.noise.scale_spread = 0.01;
+  std::vector<double> errors;
+  for (std::uint64_t run = 0; run < 400; ++run) {
+    IdealScan scan;
+    scan.first_echo = {0, 1, 2};
+    scan.echoes = {wall_at(2.0F), wall_at(6.0F)};
+    const LaserScan first = with_noise(scan, laser, Rng(run));
+    scan.sweep = 7;
+    EXPECT_EQ(with_noise(scan, laser, Rng(run)).ranges, first.ranges);
+    errors.push_back(first.ranges[1] - 6.0);
+    const DeviceError device = device_error(laser.model.noise, 0, Rng(run));
+    EXPECT_NEAR(first.ranges[0], 2.0 * device.scale + device.bias, 1e-9);
+  }
+  const double sigma = std::hypot(0.02, 0.06);  // at 6 m
+  EXPECT_NEAR(mean_of(errors), 0.0, 5.0 * sigma / std::sqrt(400.0));
+  EXPECT_NEAR(sigma_of(errors), sigma, 5.0 * sigma / std::sqrt(800.0));
+}
+
 // A reading of 0 would mean that the beam failed.
 TEST(LaserNoise, WhatIsTooNearReadsTheLeastThereIs) {
   MountedLaser laser = noiseless_laser();
