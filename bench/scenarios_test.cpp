@@ -22,6 +22,9 @@ TEST_P(QuickScenario, RunsAndReportsItsClaims) {
       outcome.err.find("set MAPBED_DATA") != std::string::npos) {
     GTEST_SKIP() << outcome.err;  // a scenario of recorded logs alone
   }
+  if (outcome.status == 1 && outcome.err.find("; apt-get install ") != std::string::npos) {
+    GTEST_SKIP() << outcome.err;  // a program of somebody else's that is not installed
+  }
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Results results = load_results(folder.file("r"));
   EXPECT_FALSE(results.verdicts.empty());

@@ -7,12 +7,14 @@
 #include "algorithms/methods.h"
 #include "bench/experiments/experiment.h"
 #include "bench/faults/faults.h"
+#include "bench/methods/program_method.h"
 #include "bench/scenario/scenario.h"
 #include "core/config/config_node.h"
 #include "core/config/quantity.h"
 #include "core/data_path.h"
 #include "core/file/text_file.h"
 #include "core/log/log_description.h"
+#include "core/log/log_formats.h"
 #include "core/log/log_options.h"
 #include "robots/robot.h"
 #include "robots/specification.h"
@@ -28,6 +30,13 @@ std::vector<CatalogueEntry> method_entries() {
   for (const Method& method : methods()) {
     entries.push_back(
         {method.name, method.about, [&method] { return method.configure({}).complete_yaml; }});
+  }
+  for (const std::string& name : program_method_names()) {
+    const std::string path = find_data_file("method", "scenarios/methods", name).string();
+    const ConfigNode file = load_config(path);
+    const ConfigNode* about = file.find("about");
+    entries.push_back({name, about != nullptr ? about->text() : "a program",
+                       [path] { return read_text_file(path); }});
   }
   return entries;
 }
@@ -104,6 +113,15 @@ std::vector<CatalogueEntry> driver_entries() {
   for (const DriverKind& kind : driver_kinds()) {
     entries.push_back(
         {kind.name, kind.about, [&kind] { return kind.configure({}).complete_yaml; }});
+  }
+  return entries;
+}
+
+std::vector<CatalogueEntry> format_entries() {
+  std::vector<CatalogueEntry> entries;
+  for (const LogFormat& format : log_formats()) {
+    const std::string text = std::string("files: NAME") + format.extension + "\n";
+    entries.push_back({format.name, format.about, [text] { return text; }});
   }
   return entries;
 }
@@ -188,6 +206,7 @@ const std::vector<CatalogueShelf>& catalogue() {
       {"drivers", "driver", driver_entries},
       {"methods", "method", method_entries},
       {"logs", "log", log_entries},
+      {"formats", "format of logs", format_entries},
       {"faults", "fault", fault_entries},
       {"settings", "setting", setting_entries},
   };

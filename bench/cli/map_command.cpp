@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include "bench/process/thread_limit.h"
 #include "bench/scenario/publication.h"
 #include "core/data_path.h"
+#include "core/file/atomic_file.h"
 #include "core/input_error.h"
 #include "core/log/log_description.h"
 
@@ -26,6 +28,8 @@ namespace mapbed {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kMessages = "program_messages.txt";  // of a method that failed
 
 struct MapArguments {
   std::string log;
@@ -104,11 +108,11 @@ std::string folder_for(const MapArguments& arguments) {
                    "name a folder with --out");
 }
 
-void check_folder(const std::string& folder) {
+void check_folder(const std::string& folder, const MapConfig& config) {
   const OutputFolder probe(folder);
   const FolderLock lock(folder);
   finish_publication(folder);  // of a program that was killed
-  refuse_foreign_map_files(folder);
+  refuse_foreign_map_files(folder, config);
 }
 
 void print_log(const std::string& path, const RecordedLog& log, double seconds) {
@@ -131,9 +135,9 @@ void print_result(const MapRun& run, const std::string& folder, double total) {
     fmt::print(stderr, "remark: {}\n", remark.text);
   }
   const CellBox box = known_box(run.map);
-  fmt::print("{}: {} poses, {:.1f} m of path, {} of them by prediction alone\n", run.config.method,
-             run.estimate.trajectory.size(), path_length(run.estimate.trajectory),
-             run.estimate.untrusted_scans);
+  fmt::print("{}: {} poses, {:.1f} m of path, {} of them by prediction alone\n",
+             run.config.chosen.name, run.estimate.trajectory.size(),
+             path_length(run.estimate.trajectory), run.estimate.untrusted_scans);
   if (!box.empty()) {
     fmt::print("map: {:.1f} x {:.1f} m at {:g} m per cell\n", box.width() * run.map.resolution(),
                box.height() * run.map.resolution(), run.map.resolution());
@@ -147,6 +151,37 @@ void print_result(const MapRun& run, const std::string& folder, double total) {
   fmt::print("written to {}\n", folder);
 }
 
+// The last line that says something.
+std::string last_words(const std::string& messages) {
+  const std::size_t end = messages.find_last_not_of(" \n\r\t");
+  if (end == std::string::npos) return "nothing";
+  const std::size_t begin = messages.find_last_of("\n\r", end);
+  return in_quotes(messages.substr(begin + 1, end - begin));
+}
+
+// None where a program was interrupted. What one that failed has said is kept in the folder.
+std::optional<MapRun> made_map(const PreparedLog& prepared, const SensorLog& as_recorded,
+                               const MapConfig& config, const std::string& folder,
+                               const InterruptGuard& interrupt) {
+  const std::string messages = (fs::path(folder) / kMessages).string();
+  std::error_code ignored;
+  fs::remove(messages, ignored);  // of an earlier one
+  Progress progress(config.chosen.name, prepared.log.size());
+  const auto may_go_on = [&](std::size_t done, std::size_t) {
+    progress.advance_to(done);
+    return !interrupt.was_interrupted();
+  };
+  try {
+    return make_map(prepared, config, may_go_on, as_recorded);
+  } catch (const Interrupted&) {
+    return std::nullopt;
+  } catch (const ProgramFailed& error) {
+    write_file(messages, error.messages);
+    throw InputError(fmt::format("{}; it said {}, all of it is in {}", error.what(),
+                                 last_words(error.messages), messages));
+  }
+}
+
 int map_log(const MapArguments& arguments) {
   const ThreadLimit threads(arguments.threads);
   const Stopwatch stopwatch;
@@ -155,27 +190,24 @@ int map_log(const MapArguments& arguments) {
   const ChosenLog chosen = chosen_log(arguments.log);
   const MapConfig config = map_config_from(settings, {.log = chosen.options});
   const std::string folder = folder_for(arguments);
-  check_folder(folder);  // refused before the log is read
+  check_folder(folder, config);  // refused before the log is read
   RecordedLog log = while_told("reading", [&] { return load_log(chosen.path, config.log); });
   const std::vector<Remark> of_geometry = choose_geometry(log);
   print_log(arguments.log, log, stopwatch.seconds());
+  const bool by_program = config.chosen.program() != nullptr;
+  const SensorLog as_recorded = by_program ? log.measurements : SensorLog{};
   PreparedLog prepared = mapbed::prepared(std::move(log.measurements), config.input);
   prepared.remarks.insert(prepared.remarks.begin(), of_geometry.begin(), of_geometry.end());
   const OutputFolder made(folder);
   const FolderLock lock(folder);
 
   const InterruptGuard interrupt;  // not before: there is nothing to keep while a log is read
-  MapRun run = [&] {
-    Progress progress(config.method, prepared.log.size());
-    return make_map(prepared, config, [&](std::size_t done, std::size_t) {
-      progress.advance_to(done);
-      return !interrupt.was_interrupted();
-    });
-  }();
-  if (run.estimate.trajectory.empty()) {
+  std::optional<MapRun> found = made_map(prepared, as_recorded, config, folder, interrupt);
+  if (!found || found->estimate.trajectory.empty()) {
     fmt::print(stderr, "mapbed: interrupted before the first scan; nothing was written\n");
     return kInterrupted;
   }
+  MapRun& run = *found;
   run.log_sha256 = chosen.sha256;
   while_told("writing", [&] { write_map_run(folder, arguments.log, log, run); });
   print_result(run, folder, stopwatch.seconds());
@@ -199,7 +231,10 @@ Command map_command() {
                 "CARMEN (.log, .clf), CoreSLAM, DP-SLAM or a list of scans, also gzipped; or the "
                 "name or .yaml of one that 'mapbed list logs' shows",
             .is_required = true},
-           {"--method", &arguments->method, "who finds the trajectory; see 'mapbed list methods'"},
+           {"--method", &arguments->method,
+            "who finds the trajectory; see 'mapbed list methods'; the file (YAML) of a program of "
+            "your "
+            "own also does"},
            {"--resolution", &arguments->resolution, "side of a cell, as in '5 cm'"},
            {"--seed", &arguments->seed, "of all chance"},
            {"--set", &arguments->settings,

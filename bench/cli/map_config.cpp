@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/data_path.h"
+
 namespace mapbed {
 namespace {
 
@@ -12,9 +14,16 @@ std::string group_of(const Setting& setting) {
   return setting.path.substr(0, setting.path.find('.'));
 }
 
-bool is_method(const std::string& name) {
+bool is_ours(const std::string& name) {
   return std::any_of(methods().begin(), methods().end(),
                      [&](const Method& method) { return method.name == name; });
+}
+
+// Of ours or of somebody else's; `chosen` may be one that no list has.
+bool is_method(const std::string& name, const std::string& chosen) {
+  const std::vector<std::string> programs = program_method_names();
+  return is_ours(name) || name == chosen ||
+         std::find(programs.begin(), programs.end(), name) != programs.end();
 }
 
 template <class Try>
@@ -50,23 +59,27 @@ void check_group_is_named(const Settings& own, const Method& method) {
 }  // namespace
 
 MapConfig map_config_from(const Settings& settings, MapConfig config) {
+  SourceLocation of_method_name;
+  for (const Setting& setting : settings) {
+    if (setting.path != "method") continue;
+    config.method = with_whole_path(setting.text, setting.place);
+    of_method_name = setting.place;
+  }
+  const std::string chosen =
+      is_program_method(config.method) ? program_method_name(config.method) : config.method;
   Settings own;
   Settings of_methods;
   for (const Setting& setting : settings) {
-    (is_method(group_of(setting)) ? of_methods : own).push_back(setting);
+    if (setting.path == "method") continue;
+    (is_method(group_of(setting), chosen) ? of_methods : own).push_back(setting);
   }
-  for (const Setting& setting : own) {
-    if (setting.path == "method") config.method = setting.text;
-  }
-  const Method& method = method_by_name(config.method);
-  check_group_is_named(own, method);
+  if (is_ours(chosen)) check_group_is_named(own, method_by_name(chosen));
   apply(own, options_of(config), "");
   Settings of_method;
   for (Setting setting : of_methods) {
     const std::string group = group_of(setting);
-    if (group != config.method) {
-      throw InputError(setting.place,
-                       "'" + setting.path + "' is set, but the method is " + config.method,
+    if (group != chosen) {
+      throw InputError(setting.place, "'" + setting.path + "' is set, but the method is " + chosen,
                        "take it out, or choose '--method " + group + "'");
     }
     if (setting.path == group) {
@@ -77,13 +90,14 @@ MapConfig map_config_from(const Settings& settings, MapConfig config) {
     setting.path.erase(0, group.size() + 1);
     of_method.push_back(std::move(setting));
   }
-  config.configured = method.configure(with_refinement(method, std::move(of_method)));
+  if (is_ours(chosen)) of_method = with_refinement(method_by_name(chosen), std::move(of_method));
+  config.chosen = choose_method(config.method, of_method, of_method_name);
   return config;
 }
 
 std::string to_yaml(MapConfig config) {
-  return to_yaml(options_of(config)) + config.method + ":  # " +
-         method_by_name(config.method).about + "\n" + indented(config.configured.complete_yaml);
+  return to_yaml(options_of(config)) + config.chosen.name + ":  # " + config.chosen.about + "\n" +
+         indented(config.chosen.complete_yaml);
 }
 
 }  // namespace mapbed

@@ -5,7 +5,7 @@
 
 #include "algorithms/grid/map_builder.h"
 #include "algorithms/input/input_stage.h"
-#include "algorithms/methods.h"
+#include "bench/methods/chosen_method.h"
 #include "core/config/settings.h"
 #include "core/log/log_options.h"
 
@@ -33,12 +33,13 @@ struct MapConfig {
   LogOptions log = {};
   InputOptions input = {};
   MapOptions map = {};
-  ConfiguredMethod configured = {};  // what `method` and its settings come to
+  ChosenMethod chosen = {};  // what `method` and its settings come to
 };
 
 template <class Visitor>
 void visit_fields(MapConfig& o, Visitor&& visit) {
-  visit("method", o.method, "who finds the trajectory; 'mapbed list methods'");
+  visit("method", o.method,
+        "who finds the trajectory; 'mapbed list methods', or the file of a program of your own");
   visit("seed", o.seed, "of all chance");
   visit("map_file", o.map_file, {"walls", "graded"},
         "what map.pgm says of a cell: occupied, free or unknown, with closed walls (mode trinary); "

@@ -28,7 +28,7 @@ TEST(MapConfig, GivesEachSettingToItsOwner) {
   EXPECT_EQ(config.seed, 7U);
   EXPECT_EQ(config.log.max_range, 50.0);
   EXPECT_EQ(config.map.resolution, 0.1);
-  EXPECT_THAT(config.configured.complete_yaml, HasSubstr("longest_gap: 3 s"));
+  EXPECT_THAT(config.chosen.complete_yaml, HasSubstr("longest_gap: 3 s"));
 }
 
 TEST(MapConfig, RefusesWhatNobodyTakes) {

@@ -27,6 +27,7 @@ namespace mapbed {
 namespace {
 
 constexpr const char* kMark = "summary.json";
+constexpr const char* kKept = "program/";  // folder of what a program was to keep
 
 int count_scans(const SensorLog& log) {
   return static_cast<int>(std::count_if(log.begin(), log.end(), [](const Measurement& m) {
@@ -51,10 +52,11 @@ std::size_t feed(Estimator& estimator, const SensorLog& log, MapCost& cost,
 
 std::string cost_csv(const MapCost& cost) {
   return fmt::format(
-      "scans,recorded_s,estimating_s,longest_scan_s,mapping_s,peak_memory_bytes\n"
-      "{},{:.6f},{:.6f},{:.6f},{:.6f},{:.0f}\n",
+      "scans,recorded_s,estimating_s,longest_scan_s,mapping_s,peak_memory_bytes,program_s,"
+      "program_memory_bytes\n"
+      "{},{:.6f},{:.6f},{:.6f},{:.6f},{:.0f},{:.6f},{:.0f}\n",
       cost.scans, cost.seconds_recorded, cost.estimating, cost.longest_scan, cost.mapping,
-      peak_memory());
+      peak_memory(), cost.of_program.processor_seconds, cost.of_program.peak_memory);
 }
 
 std::string summary_json(const std::string& log_name, const RecordedLog& log, const MapRun& run) {
@@ -62,7 +64,7 @@ std::string summary_json(const std::string& log_name, const RecordedLog& log, co
   nlohmann::ordered_json json{
       {"log", escaped_utf8(log_name)},
       {"format", log.format},
-      {"method", run.config.method},
+      {"method", run.config.chosen.name},
       {"log_sha256", run.log_sha256},
       {"seed", run.config.seed},
       {"complete", run.complete()},
@@ -80,6 +82,12 @@ std::string summary_json(const std::string& log_name, const RecordedLog& log, co
       {"mapbed", version().program},
       {"revision", version().revision},
   };
+  if (const ProgramMethod* program = run.config.chosen.program()) {
+    json["program"] = {{"version", program->version}, {"files", nlohmann::ordered_json::array()}};
+    for (const InputFile& file : program->input_files) {
+      json["program"]["files"].push_back({{"path", file.path}, {"sha256", file.sha256}});
+    }
+  }
   for (const RecordedLaser& laser : log.lasers) json["lasers"].push_back(to_string(laser));
   for (const Remark& remark : run.estimate.remarks) json["remarks"].push_back(remark.text);
   for (const LogWarning& warning : log.warnings) json["warnings"].push_back(to_string(warning));
@@ -109,26 +117,65 @@ Maps maps_of(const SensorLog& log, const Trajectory& trajectory, const MapConfig
   return {std::move(map), std::move(walls)};
 }
 
+// What is wrong with a log is told, too, where a program gets it as it is.
+void add_remarks_on_log(const PreparedLog& prepared, const std::string& program,
+                        Estimate& estimate) {
+  if (prepared.remarks.empty()) return;
+  std::vector<Remark> remarks = prepared.remarks;
+  remarks.push_back({RemarkKind::note, program + " got the log as it was recorded, without what is "
+                                                 "mended for methods here"});
+  estimate.remarks.insert(estimate.remarks.begin(), remarks.begin(), remarks.end());
+}
+
+struct Estimated {
+  Estimate estimate;
+  std::size_t taken = 0;  // measurements of the log
+  std::vector<std::pair<std::string, std::string>> kept = {};
+};
+
+Estimated estimated_by_ours(const SensorLog& log, const MapConfig& config, MapCost& cost,
+                            const std::function<bool(std::size_t, std::size_t)>& may_go_on) {
+  const auto estimator = std::get<ConfiguredMethod>(config.chosen.what)
+                             .make({}, Rng(config.seed).stream(config.method));
+  const std::size_t taken = feed(*estimator, log, cost, may_go_on);
+  estimator->finish();
+  return {estimator->estimate(), taken};
+}
+
+Estimated estimated_by(const ProgramMethod& program, const SensorLog& as_recorded,
+                       const SensorLog& prepared, const MapConfig& config, MapCost& cost,
+                       const std::function<bool(std::size_t, std::size_t)>& may_go_on) {
+  const std::size_t total = prepared.size();
+  const auto goes_on = [&] { return may_go_on(0, total); };
+  ProgramRun run = run_program_method(program, as_recorded, prepared, config.seed, goes_on);
+  cost.of_program = run.cost;
+  cost.estimating = run.cost.wall_seconds;
+  return {std::move(run.estimate), total, std::move(run.kept)};
+}
+
 }  // namespace
 
 MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
-                const std::function<bool(std::size_t done, std::size_t total)>& may_go_on) {
+                const std::function<bool(std::size_t done, std::size_t total)>& may_go_on,
+                const SensorLog& as_recorded) {
   const SensorLog& log = prepared.log;
   check_size_of_first_scan(log, config.map);
-  std::unique_ptr<Estimator> estimator =
-      config.configured.make({}, Rng(config.seed).stream(config.method));
   MapCost cost;
-  const std::size_t taken = feed(*estimator, log, cost, may_go_on);
-  estimator->finish();
-  Estimate estimate = estimator->estimate();
-  add_remarks_on_input(prepared, estimate);
-
-  estimator.reset();  // the map needs its memory
+  const auto* program = config.chosen.program();
+  Estimated estimated = program == nullptr
+                            ? estimated_by_ours(log, config, cost, may_go_on)
+                            : estimated_by(*program, as_recorded, log, config, cost, may_go_on);
+  Estimate& estimate = estimated.estimate;
+  if (program == nullptr) {
+    add_remarks_on_input(prepared, estimate);
+  } else {
+    add_remarks_on_log(prepared, program->name, estimate);
+  }
   const Stopwatch mapping;
   const auto part_of_log = [&] {
-    return SensorLog(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(taken));
+    return SensorLog(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(estimated.taken));
   };
-  const bool whole = taken == log.size();
+  const bool whole = estimated.taken == log.size();
   Maps maps = whole ? maps_of(log, estimate.trajectory, config)
                     : maps_of(part_of_log(), estimate.trajectory, config);
   cost.mapping = mapping.seconds();
@@ -136,8 +183,12 @@ MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
   if (cost.scans > 0) {
     cost.seconds_recorded = estimate.trajectory.back().time - estimate.trajectory.front().time;
   }
-  return {config, std::move(estimate), std::move(maps.map), std::move(maps.walls), count_scans(log),
-          cost};
+  MapRun run{
+      config, std::move(estimate), std::move(maps.map), std::move(maps.walls), count_scans(log),
+      cost};
+  run.was_interrupted = !whole;
+  run.kept = std::move(estimated.kept);
+  return run;
 }
 
 void write_map_run(const std::string& folder, const std::string& log_name, const RecordedLog& log,
@@ -157,16 +208,22 @@ void write_map_run(const std::string& folder, const std::string& log_name, const
             graded ? MapServerMode::raw : MapServerMode::trinary);
   write_png(coming.add("map.png"), to_image(run.map, image_box(run.walls)));
   write_png(coming.add("picture.png"),
-            picture_of(run.map, {{run.config.method, run.estimate.trajectory}}));
+            picture_of(run.map, {{run.config.chosen.name, run.estimate.trajectory}}));
   write_file(coming.add("config.yaml"), to_yaml(run.config));
   write_file(coming.add("cost.csv"), cost_csv(run.cost));
+  for (const auto& [name, content] : run.kept) {
+    write_file(coming.add(kKept + name), content);
+  }
   write_file(coming.add(kMark), summary_json(log_name, log, run));
   coming.commit();
 }
 
-void refuse_foreign_map_files(const std::string& folder) {
-  const std::vector<std::string> coming{"trajectory.tum", "map.pgm",     "map.yaml", "map.png",
-                                        "picture.png",    "config.yaml", "cost.csv", kMark};
+void refuse_foreign_map_files(const std::string& folder, const MapConfig& config) {
+  std::vector<std::string> coming{"trajectory.tum", "map.pgm",     "map.yaml", "map.png",
+                                  "picture.png",    "config.yaml", "cost.csv", kMark};
+  if (const ProgramMethod* program = config.chosen.program()) {
+    for (const std::string& name : program->keep) coming.push_back(kKept + name);
+  }
   refuse_foreign(folder, coming, log_of_map(folder).empty() ? std::vector<std::string>{} : coming);
 }
 

@@ -2,11 +2,14 @@
 
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "algorithms/estimator.h"
 #include "algorithms/grid/occupancy_map.h"
 #include "algorithms/input/input_stage.h"
 #include "bench/cli/map_config.h"
+#include "bench/methods/program_run.h"
 #include "core/log/log_file.h"
 
 namespace mapbed {
@@ -18,6 +21,7 @@ struct MapCost {
   double longest_scan = 0.0;      // [s] of a single scan
   double seconds_recorded = 0.0;  // [s] from the first to the last scan that was taken in
   int scans = 0;
+  MethodCost of_program = {};  // of one that is the method
 };
 
 // A log turned into a map.
@@ -29,14 +33,19 @@ struct MapRun {
   int scans_in_log = 0;  // more than poses in the estimate: it was interrupted
   MapCost cost;
   std::string log_sha256 = {};  // of the log's file; empty where there is none to be read again
+  bool was_interrupted = false;
+  std::vector<std::pair<std::string, std::string>> kept = {};  // of a program's own files
 
-  bool complete() const { return static_cast<int>(estimate.trajectory.size()) == scans_in_log; }
+  bool complete() const { return !was_interrupted; }
 };
 
 // Its remarks begin with those of the log. `may_go_on(done, total)` is asked after each
-// measurement; false ends the run with what it has.
+// measurement; false ends the run with what it has. A program that is the method gets the log
+// `as_recorded`; while it runs, the question comes again and again with nothing done, and false
+// throws Interrupted. What goes wrong with it throws ProgramFailed.
 MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
-                const std::function<bool(std::size_t done, std::size_t total)>& may_go_on);
+                const std::function<bool(std::size_t done, std::size_t total)>& may_go_on,
+                const SensorLog& as_recorded = {});
 
 // The folder's files, all of them or none; an older map's are there until then:
 //
@@ -46,6 +55,7 @@ MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
 //   picture.png         for people: trajectory, scale bar, legend
 //   config.yaml         complete; `mapbed map LOG --config` of it repeats the run
 //   cost.csv            time and memory
+//   program/            what a program that is the method was to keep
 //   summary.json        the rest in numbers; written last
 //
 // Throws InputError where one cannot be written. The folder is locked, and nothing is being
@@ -54,7 +64,7 @@ void write_map_run(const std::string& folder, const std::string& log_name, const
                    const MapRun& run);
 
 // Throws InputError where one of these would take the place of somebody else's file.
-void refuse_foreign_map_files(const std::string& folder);
+void refuse_foreign_map_files(const std::string& folder, const MapConfig& config);
 
 // The `log_name` of the map that a folder holds; empty where it holds none.
 std::string log_of_map(const std::string& folder);

@@ -17,8 +17,11 @@ namespace mapbed {
 struct RunOutcome {
   // By name; one that is left out has no value in this run.
   std::vector<std::pair<std::string, double>> values;
-  std::string failure;          // in one line, for a run that did not come to what it should
-  double method_seconds = 0.0;  // [s] of processor time of the method alone; 0: not told
+  std::string failure;               // in one line, for a run that did not come to what it should
+  double method_seconds = 0.0;       // [s] of processor time of the method alone; 0: not told
+  double method_wall_seconds = 0.0;  // [s] the same by the clock
+  double program_seconds = 0.0;      // [s] of method_seconds, in programs of somebody else's
+  double program_memory = 0.0;       // [bytes] of such a one at most
   std::vector<ResultFile> files;
   std::vector<Series> series;  // those of Experiment::series, where the run has them
 };

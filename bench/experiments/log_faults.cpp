@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "algorithms/input/input_stage.h"
-#include "bench/experiments/chosen_method.h"
+#include "bench/methods/method_run.h"
 #include "bench/metrics/pairs.h"
 #include "bench/process/process_cost.h"
 #include "bench/sources/shared_work.h"
@@ -36,8 +36,8 @@ void visit_fields(LogFaultsOptions& o, Visitor&& visit) {
 
 struct Setup {
   LogFaultsOptions options;
-  ConfiguredMethod method;
-  ConfiguredMethod odometry;
+  ChosenMethod method;
+  ChosenMethod odometry;
   std::string method_yaml;
   std::string clean_yaml;  // what decides what is made of a log
 };
@@ -48,24 +48,22 @@ Setup setup_of(const Settings& settings) {
   apply(divided.own, options_of(setup.options), "log_faults");
   setup.method = chosen_method(setup.options.estimator, divided);
   setup.odometry = chosen_method("odometry", divided);
-  setup.method_yaml = method_yaml(setup.options.estimator, setup.method);
+  setup.method_yaml = method_yaml(setup.method);
   setup.clean_yaml = to_yaml(options_of(setup.options.input)) + setup.method_yaml;
   return setup;
 }
 
-Estimate estimate_of(const ConfiguredMethod& method, const SensorLog& log, const Rng& rng) {
-  const auto estimator = method.make({}, rng);
-  for (const Measurement& measurement : log) estimator->add(measurement);
-  estimator->finish();
-  return estimator->estimate();
-}
-
-// The same of the log as it is prepared for methods, with what is remarked on then.
-Estimate prepared_estimate_of(const Setup& setup, const SensorLog& log, const Rng& rng) {
+// Of the log as it is prepared for methods, with what is remarked on then.
+MethodRun prepared_run(const Setup& setup, const SensorLog& log, const RunInput& input) {
   const PreparedLog prepared = mapbed::prepared(log, setup.options.input);
-  Estimate estimate = estimate_of(setup.method, prepared.log, rng);
-  add_remarks_on_input(prepared, estimate);
-  return estimate;
+  MethodRun run = run_method(setup.method, {.as_recorded = log,
+                                            .prepared = prepared.log,
+                                            .rng = input.rng.stream("estimator"),
+                                            .seed = input.seed,
+                                            .goes_on = input.goes_on});
+  // A program got the log as it is; what is told of it here is none of its words.
+  if (setup.method.program() == nullptr) add_remarks_on_input(prepared, run.estimate);
+  return run;
 }
 
 // What a method makes of the log without faults.
@@ -92,7 +90,7 @@ const SensorLog& clean_log_of(const RunInput& input) {
 
 CleanRun clean_run(const Setup& setup, const RunInput& input) {
   CleanRun clean;
-  clean.estimate = prepared_estimate_of(setup, clean_log_of(input), input.rng.stream("estimator"));
+  clean.estimate = prepared_run(setup, clean_log_of(input), input).estimate;
   if (!input.relations) {
     clean.relations.relations = input.pairs ? input.pairs() : pairs_of(clean.estimate.trajectory);
   }
@@ -125,15 +123,18 @@ RunOutcome run(const Setup& setup, const RunInput& input) {
   const auto& clean = input.shared->once<CleanRun>(key, [&] { return clean_run(setup, input); });
   const bool is_clean = input.faults.empty();
   const double start = processor_time();
-  const Estimate estimate =
-      is_clean ? clean.estimate
-               : prepared_estimate_of(setup, input.log, input.rng.stream("estimator"));
-  const double seconds = processor_time() - start;
+  const MethodRun broken =
+      is_clean ? MethodRun{clean.estimate, {}} : prepared_run(setup, input.log, input);
+  const Estimate& estimate = broken.estimate;
+  const double in_program = setup.method.program() == nullptr ? 0.0 : broken.cost.processor_seconds;
+  const double seconds = processor_time() - start + in_program;
 
   const MeasuredRelations& relations = relations_of(input, clean);
   const double error = error_of(estimate, relations);
-  const double odometry =
-      error_of(estimate_of(setup.odometry, input.log, input.rng.stream("odometry")), relations);
+  const MethodRun by_odometry = run_method(
+      setup.odometry,
+      {.as_recorded = input.log, .prepared = input.log, .rng = input.rng.stream("odometry")});
+  const double odometry = error_of(by_odometry.estimate, relations);
   const double told = told_faults(input.faults, estimate.remarks, options.told_within);
   const bool is_compared = !std::isnan(error) || estimate.trajectory.empty();
   const bool is_kept = error <= options.allowed_times * clean.error + options.allowed_more &&
@@ -145,6 +146,9 @@ RunOutcome run(const Setup& setup, const RunInput& input) {
   const auto alarms = std::count_if(estimate.remarks.begin(), estimate.remarks.end(), is_alarm);
   RunOutcome outcome;
   outcome.method_seconds = is_clean ? 0.0 : seconds;
+  outcome.method_wall_seconds = broken.cost.wall_seconds;
+  outcome.program_seconds = in_program;
+  outcome.program_memory = broken.cost.peak_memory;
   outcome.values = {{"error", error},
                     {"clean_error", clean.error},
                     {"error_ratio", ratio},

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "algorithms/input/input_stage.h"
-#include "bench/experiments/chosen_method.h"
 #include "bench/experiments/particle_figures.h"
 #include "bench/experiments/slam_evaluator.h"
 #include "bench/experiments/slam_series.h"
+#include "bench/methods/method_run.h"
 #include "bench/plot/map_picture.h"
-#include "bench/process/process_cost.h"
 #include "bench/results/replay.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
@@ -42,7 +41,7 @@ void visit_fields(SlamOptions& o, Visitor&& visit) {
 // The options, and the method that they name.
 struct Setup {
   SlamOptions options;
-  ConfiguredMethod method;
+  ChosenMethod method;
 };
 
 Setup setup_of(const Settings& settings) {
@@ -54,7 +53,7 @@ Setup setup_of(const Settings& settings) {
 }
 
 std::string complete_yaml(Setup& setup) {
-  return to_yaml(options_of(setup.options)) + method_yaml(setup.options.estimator, setup.method);
+  return to_yaml(options_of(setup.options)) + method_yaml(setup.method);
 }
 
 ResultFile picture_file(const RunInput& input, SlamEvaluator& evaluator) {
@@ -76,47 +75,62 @@ ResultFile replay_file(const RunInput& input, const std::string& estimator,
   return {"replays/run.json", replay_json(replay)};
 }
 
-// What comes of a method while the log is added to it.
+// What comes of a method while it works.
 struct Watched {
+  MethodRun run;
   std::vector<ResultFile> figures;
   std::vector<Series> series;
 };
 
-// Adds the log; where the run is shown, takes pictures of the particles on the way.
-Watched add_log(const SlamOptions& options, const RunInput& input, Estimator& estimator) {
+// Where the run is shown, takes pictures of the particles on the way.
+Watched watched_run(const Setup& setup, const RunInput& input, const SensorLog& as_recorded) {
   Watched watched;
-  const auto keep = [&watched](std::vector<ResultFile> files) {
-    std::move(files.begin(), files.end(), std::back_inserter(watched.figures));
-  };
-  SlamSeries series(input, options.series_step);
-  std::vector<double> left = input.shown ? options.snapshots : std::vector<double>{};
+  SlamSeries series(input, setup.options.series_step);
+  std::vector<double> left = input.shown ? setup.options.snapshots : std::vector<double>{};
   std::sort(left.begin(), left.end(), std::greater<>());
   const double start = input.log.empty() ? 0.0 : time_of(input.log.front());
   const Pose2 world_from_map = input.truth.empty() ? Pose2{} : input.truth.front().pose;
-  for (const Measurement& measurement : input.log) {
-    const double time = time_of(measurement);
-    while (!left.empty() && time - start > left.back()) {
-      keep(path_figure(estimator.hypotheses(), input.truth, world_from_map, left.back(),
-                       input.label));
+  MethodWatch watch;
+  watch.before = [&](const Measurement& measurement, const Estimator& estimator) {
+    while (!left.empty() && time_of(measurement) - start > left.back()) {
+      std::vector<ResultFile> files = path_figure(estimator.hypotheses(), input.truth,
+                                                  world_from_map, left.back(), input.label);
+      std::move(files.begin(), files.end(), std::back_inserter(watched.figures));
       left.pop_back();
     }
-    estimator.add(measurement);
-    if (std::holds_alternative<LaserScan>(measurement)) series.look(time, estimator);
-  }
-  watched.series = series.finish(estimator);
+  };
+  watch.after = [&](const Measurement& measurement, const Estimator& estimator) {
+    if (std::holds_alternative<LaserScan>(measurement)) {
+      series.look(time_of(measurement), estimator);
+    }
+  };
+  watch.all_added = [&](const Estimator& estimator) { watched.series = series.finish(estimator); };
+  watched.run = run_method(setup.method,
+                           {.as_recorded = as_recorded,
+                            .prepared = input.log,
+                            .rng = input.rng.stream("estimator"),
+                            .seed = input.seed,
+                            .goes_on = input.goes_on},
+                           watch);
   return watched;
+}
+
+void tell_cost(const ChosenMethod& method, const MethodCost& cost, RunOutcome& outcome) {
+  outcome.method_seconds = cost.processor_seconds;
+  outcome.method_wall_seconds = cost.wall_seconds;
+  outcome.program_memory = cost.peak_memory;
+  if (method.program() != nullptr) outcome.program_seconds = cost.processor_seconds;
 }
 
 RunOutcome run(const Setup& setup, const RunInput& whole_input) {
   RunInput input = shortened(whole_input, setup.options.longest);
+  const SensorLog as_recorded =
+      setup.method.program() == nullptr ? SensorLog{} : input.log;  // ours do without
   input.log = prepared(std::move(input.log), setup.options.input).log;
-  const auto estimator = setup.method.make({}, input.rng.stream("estimator"));
+  Watched watched = watched_run(setup, input, as_recorded);
+  const Estimate& estimate = watched.run.estimate;
   RunOutcome outcome;
-  const double start = processor_time();
-  Watched watched = add_log(setup.options, input, *estimator);
-  estimator->finish();
-  const Estimate estimate = estimator->estimate();
-  outcome.method_seconds = processor_time() - start;
+  tell_cost(setup.method, watched.run.cost, outcome);
 
   SlamEvaluator evaluator(setup.options.evaluation, input, estimate);
   outcome.values = evaluator.values();
@@ -128,8 +142,8 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
     const Trajectory& path = evaluator.world_from_robot();
     outcome.files.push_back({"trajectories/estimate.tum", tum_text(path)});
     // What the laser said, as it came.
-    const RunInput as_recorded = shortened(whole_input, setup.options.longest);
-    outcome.files.push_back(replay_file(as_recorded, setup.options.estimator, path));
+    const RunInput input_as_recorded = shortened(whole_input, setup.options.longest);
+    outcome.files.push_back(replay_file(input_as_recorded, setup.method.name, path));
   }
   return outcome;
 }

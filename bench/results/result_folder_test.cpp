@@ -87,7 +87,7 @@ Results rich() {
                 {.claim = "b", .measured = "3, 4"},
                 {.claim = "c", .judged = false, .measured = "no such level"},
                 {.claim = "d", .held = true, .measured = "1 s", .of_cost = true}};
-  r.costs = {{0, 1.5, 0.25, 1.0, 60.0, 123456789.0}, {5, 0.0, 0.0, 0.0, 0.0, 0.0}};
+  r.costs = {{0, 1.5, 0.25, 1.0, 60.0, 123456789.0, 2.5, 1e6}, {5, 0.0, 0.0, 0.0, 0.0, 0.0}};
   r.files = {{"maps/map_level_0_raw.png", 0, "map"}, {"learned/a_level_2_x.yaml", 5, ""}};
   r.provenance_json = "{\"seed\": 7}\n";
   return r;

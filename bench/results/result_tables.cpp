@@ -20,7 +20,9 @@ const CsvRow kCostColumns{"run",
                           "recording_seconds",
                           "method_seconds",
                           "recorded_seconds",
-                          "peak_memory_bytes"};
+                          "peak_memory_bytes",
+                          "method_wall_seconds",
+                          "program_memory_bytes"};
 const CsvRow kSummaryColumns{"variant", "metric", "unit", "runs",   "failed", "missing",
                              "mean",    "low",    "high", "median", "min",    "max"};
 const CsvRow kSeriesColumns{"run", "series", "x", "value"};
@@ -192,9 +194,10 @@ std::string cost_claims_csv(const Results& results) {
 std::string cost_csv(const Results& results) {
   std::string text = csv_line(kCostColumns);
   for (const CostRow& cost : results.costs) {
-    text += fmt::format("{},{:.6f},{:.6f},{:.6f},{:.6f},{:.0f}\n", cost.run, cost.seconds,
-                        cost.recording_seconds, cost.method_seconds, cost.recorded_seconds,
-                        cost.peak_memory);
+    text +=
+        fmt::format("{},{:.6f},{:.6f},{:.6f},{:.6f},{:.0f},{:.6f},{:.0f}\n", cost.run, cost.seconds,
+                    cost.recording_seconds, cost.method_seconds, cost.recorded_seconds,
+                    cost.peak_memory, cost.method_wall_seconds, cost.program_memory);
   }
   return text;
 }
@@ -304,7 +307,9 @@ std::vector<CostRow> parse_costs(const std::string& name, std::string_view csv) 
                      .recording_seconds = number("recording_seconds"),
                      .method_seconds = number("method_seconds"),
                      .recorded_seconds = number("recorded_seconds"),
-                     .peak_memory = number("peak_memory_bytes")});
+                     .peak_memory = number("peak_memory_bytes"),
+                     .method_wall_seconds = number("method_wall_seconds"),
+                     .program_memory = number("program_memory_bytes")});
   }
   return costs;
 }

@@ -50,11 +50,15 @@ struct SummaryRow {
 // Time and memory, which differ from run to run of the same program.
 struct CostRow {
   int run = 0;
-  double seconds = 0.0;  // [s] of processor time of the run's own thread, without recording
-  double recording_seconds = 0.0;  // [s] the same of the recording; 0: another run made it
-  double method_seconds = 0.0;     // [s] of `seconds`, the method alone; 0: not told
-  double recorded_seconds = 0.0;   // [s] of the log
-  double peak_memory = 0.0;        // [bytes] of the whole program so far
+  // [s] of processor time of the run's own thread and of programs that are its method, without
+  // recording
+  double seconds = 0.0;
+  double recording_seconds = 0.0;    // [s] the same of the recording; 0: another run made it
+  double method_seconds = 0.0;       // [s] of `seconds`, the method alone; 0: not told
+  double recorded_seconds = 0.0;     // [s] of the log
+  double peak_memory = 0.0;          // [bytes] of the whole program so far
+  double method_wall_seconds = 0.0;  // [s] of the method by the clock; 0: not told
+  double program_memory = 0.0;       // [bytes] of a program that is the method; 0: there is none
 };
 
 // A file of a single run, below the result's folder.

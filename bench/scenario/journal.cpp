@@ -19,7 +19,7 @@ namespace mapbed {
 namespace {
 
 constexpr std::size_t kChecksum = 16;  // [hexadecimal digits]
-constexpr std::size_t kFixedFields = 9;
+constexpr std::size_t kFixedFields = 11;
 
 std::string with_checksum(const std::string& line) {
   return sha256(line).substr(0, kChecksum) + "," + line;
@@ -33,6 +33,8 @@ std::string line_of(const Journal::Entry& entry) {
              csv_number(entry.cost.method_seconds),
              csv_number(entry.cost.recorded_seconds),
              csv_number(entry.cost.peak_memory),
+             csv_number(entry.cost.method_wall_seconds),
+             csv_number(entry.cost.program_memory),
              entry.given,
              entry.row.failure};
   for (const double value : entry.row.values) row.push_back(csv_number(value));
@@ -51,8 +53,10 @@ std::optional<Journal::Entry> entry_of(const CsvRow& row) {
   entry.cost.method_seconds = parse_csv_number(row[4]);
   entry.cost.recorded_seconds = parse_csv_number(row[5]);
   entry.cost.peak_memory = parse_csv_number(row[6]);
-  entry.given = row[7];
-  entry.row.failure = row[8];
+  entry.cost.method_wall_seconds = parse_csv_number(row[7]);
+  entry.cost.program_memory = parse_csv_number(row[8]);
+  entry.given = row[9];
+  entry.row.failure = row[10];
   for (std::size_t i = kFixedFields; i < row.size(); ++i) {
     entry.row.values.push_back(parse_csv_number(row[i]));
   }

@@ -7,9 +7,11 @@
 #include <map>
 #include <mutex>
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "bench/methods/program_run.h"
 #include "bench/process/memory_gate.h"
 #include "bench/process/process_cost.h"
 #include "bench/process/thread_limit.h"
@@ -135,6 +137,12 @@ class Runner {
       throw;
     } catch (const InputChanged&) {
       throw;
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const ProgramFailed& error) {
+      RunResult result = failed(run, one_line(error.what()));
+      result.files.push_back({fmt::format("messages/run_{}.txt", run), error.messages});
+      return result;
     } catch (const std::exception& error) {
       return failed(run, one_line(failure_text(error)));
     }
@@ -143,9 +151,11 @@ class Runner {
     result.row.values = wanted_values(outcome.values);
     result.series = wanted_series(std::move(outcome.series), run);
     result.cost = {.run = run,
-                   .seconds = processor_time() - start,
+                   .seconds = processor_time() - start + outcome.program_seconds,
                    .method_seconds = outcome.method_seconds,
-                   .peak_memory = peak_memory()};
+                   .peak_memory = peak_memory(),
+                   .method_wall_seconds = outcome.method_wall_seconds,
+                   .program_memory = outcome.program_memory};
     if (!logs.sources.empty()) {
       result.cost.recorded_seconds = logs.sources.front()->recorded_seconds();
     }
@@ -192,6 +202,8 @@ class Runner {
       }
     }
     input.rng = Rng(row.seed).stream("experiment");
+    input.seed = row.seed;
+    input.goes_on = calls_.may_go_on;
     input.shown = row.seed == plan_.scenario.seed;
     input.label = label_of(row);
     for (const Metric& metric : plan_.results.metrics) input.wanted.insert(metric.name);

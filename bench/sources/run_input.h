@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <set>
@@ -8,6 +9,7 @@
 #include "bench/faults/faults.h"
 #include "bench/metrics/relations.h"
 #include "core/geometry/trajectory.h"
+#include "core/interrupted.h"
 #include "core/log/sensor_log.h"
 #include "core/random.h"
 #include "worlds/geometry/raster.h"
@@ -41,6 +43,8 @@ struct LogInput {
 struct RunInput : LogInput {
   std::map<std::string, LogInput> further = {};  // Experiment::further_logs, by their names
   Rng rng{0};
+  std::uint64_t seed = 0;             // that `rng` comes from
+  GoesOn goes_on = {};                // for work that can be ended half-way
   std::set<std::string> wanted = {};  // metrics and series; others need not be worked out
   bool shown = false;                 // pictures of this run are wanted too
   // Which run it is, for them: "raw, people = 5"; empty: seeds alone set the runs apart.

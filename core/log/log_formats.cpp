@@ -1,0 +1,33 @@
+#include "core/log/log_formats.h"
+
+#include <vector>
+
+#include "core/config/suggestion.h"
+#include "core/log/dialects/carmen_log.h"
+#include "core/log/dialects/rawlog.h"
+
+namespace mapbed {
+
+std::span<const LogFormat> log_formats() {
+  static const LogFormat table[] = {
+      {"carmen", ".log", "CARMEN: ROBOTLASER and ODOM lines",
+       [](const std::string& path, const RecordedLog& log) { write_carmen_log(path, log); }},
+      {"carmen_flaser", ".log", "CARMEN of before 2008: FLASER, RLASER and ODOM lines",
+       [](const std::string& path, const RecordedLog& log) {
+         write_carmen_log(path, log, CarmenDialect::flaser);
+       }},
+      {"rawlog", ".rawlog", "MRPT: an action and a sensory frame for each scan", write_rawlog},
+  };
+  return table;
+}
+
+const LogFormat& log_format_by_name(const std::string& name, const SourceLocation& place) {
+  std::vector<std::string> names;
+  for (const LogFormat& format : log_formats()) {
+    if (format.name == name) return format;
+    names.emplace_back(format.name);
+  }
+  throw InputError(place, "unknown format of logs " + in_quotes(name), suggestion(name, names));
+}
+
+}  // namespace mapbed

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/input_error.h"
+
+namespace mapbed {
+
+struct RecordedLog;
+
+// A way of writing logs for other programs. A new one is a function and a line in the table.
+struct LogFormat {
+  const char* name = "";       // "carmen"
+  const char* extension = "";  // ".log", of its files
+  const char* about = "";
+  void (*write)(const std::string& path, const RecordedLog& log) = nullptr;
+};
+
+std::span<const LogFormat> log_formats();
+
+// Throws InputError for an unknown name, which stands at `place`, with the nearest one.
+const LogFormat& log_format_by_name(const std::string& name, const SourceLocation& place = {});
+
+}  // namespace mapbed
