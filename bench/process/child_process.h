@@ -24,7 +24,7 @@ struct ChildEnd {
   int signal = 0;                  // that ended it; 0: none
   double wall_seconds = 0.0;       // [s]
   double processor_seconds = 0.0;  // [s]
-  double peak_memory = 0.0;        // [bytes] of the largest process
+  double peak_memory = 0.0;        // [bytes] of the largest process; 0: it was over too soon
 
   bool is_success() const { return !timed_out && error == 0 && status == 0 && signal == 0; }
 };
