@@ -28,6 +28,16 @@ function(mapbed_headers name header debian_package)
   target_include_directories(${name}::${name} SYSTEM INTERFACE ${${name}_INCLUDE_DIR})
 endfunction()
 
+# The same of a library that is linked besides.
+function(mapbed_library_of name header debian_package)
+  mapbed_headers(${name} ${header} ${debian_package})
+  find_library(${name}_LIBRARY ${name})
+  if(NOT ${name}_LIBRARY)
+    message(FATAL_ERROR "lib${name} not found; install it with: apt-get install ${debian_package}")
+  endif()
+  target_link_libraries(${name}::${name} INTERFACE ${${name}_LIBRARY})
+endfunction()
+
 # What only the tests need: neither in `mapbed --version` nor needed by installed libraries.
 macro(mapbed_test_package name debian_package)
   find_package(${name} ${ARGN} QUIET)

@@ -213,6 +213,14 @@ const std::vector<CatalogueShelf>& catalogue() {
   return shelves;
 }
 
+std::string text_of_bag(const BagContents& bag) {
+  std::string text =
+      fmt::format("format: {}\nrecorded: {:.1f} s\ntopics:\n", bag.format, bag.seconds);
+  for (const RecordedTopic& topic : bag.topics)
+    text += fmt::format("  - {}: {} {}\n", topic.name, topic.messages, topic.type);
+  return text;
+}
+
 std::string text_of_log(const std::string& path) {
   RecordedLog log = open_log(path);
   std::vector<Remark> remarks = choose_geometry(log);

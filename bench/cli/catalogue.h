@@ -6,6 +6,8 @@
 
 namespace mapbed {
 
+struct BagContents;
+
 // Something that has a name on the command line.
 struct CatalogueEntry {
   std::string name;
@@ -26,5 +28,8 @@ const std::vector<CatalogueShelf>& catalogue();
 // What the file of a log, or of its description, holds: its lasers, where each of them looks and
 // who says so, and what is odd about it. Throws InputError where it cannot be read.
 std::string text_of_log(const std::string& path);
+
+// Its topics, with their types and how many messages each has.
+std::string text_of_bag(const BagContents& bag);
 
 }  // namespace mapbed

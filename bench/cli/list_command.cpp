@@ -11,6 +11,7 @@
 #include "bench/cli/commands.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
+#include "core/log/log_file.h"
 
 namespace mapbed {
 namespace {
@@ -46,6 +47,16 @@ int describe(const std::string& name) {
       }
       names.push_back(entry.name);
     }
+  }
+  if (const auto bag = bag_contents(name)) {
+    // First of all, so that it is there also where it is not clear which topics are meant.
+    fmt::print("{} (log)\n{}", name, text_of_bag(*bag));
+    try {
+      fmt::print("{}", text_of_log(name));
+    } catch (const InputError& error) {
+      fmt::print("remark: {}\n", error.what());
+    }
+    return kDone;
   }
   if (std::filesystem::is_regular_file(name)) {
     fmt::print("{} (log)\n{}", name, text_of_log(name));

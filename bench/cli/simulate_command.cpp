@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +30,7 @@ struct SimulateArguments {
   std::string driver;
   std::string variant;
   std::string log;
+  std::string format;
   std::optional<int> people;
   std::optional<std::uint64_t> seed;
   std::vector<std::string> settings;
@@ -70,16 +73,30 @@ SimulationToRun simulation_of(const SimulateArguments& a) {
   return {prepare_simulation(simulation_plan(choice.settings)), a.seed.value_or(1)};
 }
 
+// As named, or else by the ending of the log.
+LogFormat format_of(const SimulateArguments& a) {
+  const std::vector<std::string>& names = log_format_names();
+  const auto named = std::find(names.begin(), names.end(), a.format);
+  if (named == names.end()) return log_format_of(a.log);
+  return static_cast<LogFormat>(named - names.begin());
+}
+
+void check_output(const std::string& log, LogFormat format) {
+  // Of a folder that is not there yet: whether something of that name can be made.
+  if (format != LogFormat::ros2 || !std::filesystem::is_directory(log)) check_writable(log);
+  refuse_foreign_simulation_files(log, format);
+}
+
 int simulate(const SimulateArguments& arguments) {
-  check_writable(arguments.log);
-  refuse_foreign_simulation_files(arguments.log);
+  const LogFormat format = format_of(arguments);
+  check_output(arguments.log, format);
   const SimulationToRun to_run =
       while_told("building the world", [&] { return simulation_of(arguments); });
   const Stopwatch stopwatch;
   const SimulationResult result =
       while_told("simulating", [&] { return run_simulation(to_run.simulation, to_run.seed); });
   const double seconds = stopwatch.seconds();
-  while_told("writing", [&] { write_simulation(arguments.log, result); });
+  while_told("writing", [&] { write_simulation(arguments.log, result, format); });
 
   const auto& scans = result.recording.truth.beams;
   const Trajectory truth = trajectory_of(result.recording.truth);
@@ -119,9 +136,13 @@ Command simulate_command() {
                       {"--set", &a->settings,
                        "any option: world.…, robot.…, simulation.…, driver.…, recorder.…, "
                        "faults.…=value; of a scenario that sweeps one, its value"},
+                      {.name = "--format",
+                       .target = &a->format,
+                       .help = "of the log; else by its ending, as .bag, .mcap; ros2: a folder",
+                       .check = log_format_names()},
                       {.name = "-o,--out",
                        .target = &a->log,
-                       .help = "the CARMEN log to write; .gz: compressed",
+                       .help = "the log to write; .gz: a compressed CARMEN log",
                        .is_required = true}},
           .run = [a] { return simulate(*a); }};
 }

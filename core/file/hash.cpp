@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include "core/input_error.h"
 
@@ -91,6 +92,11 @@ std::string sha256_of_file(const std::string& path) {
     hash.add({piece.data(), static_cast<std::size_t>(file.gcount())});
   }
   return hash.digits();
+}
+
+std::uint32_t crc32(std::string_view bytes) {
+  return static_cast<std::uint32_t>(
+      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 }  // namespace mapbed

@@ -75,21 +75,26 @@ void make_up_stamps(SensorLog& log, double period) {
 
 }  // namespace
 
-LogBuilder::LogBuilder(std::string name, const LogOptions& options)
-    : name_(std::move(name)), options_(options) {
+LogBuilder::LogBuilder(std::string name, const LogOptions& options, Place counted)
+    : name_(std::move(name)), options_(options), counted_(counted) {
   check_options(options);
+}
+
+SourceLocation LogBuilder::place(long line) const {
+  if (line == 0 || counted_ == Place::line) return {name_, line};
+  return {fmt::format("{}, message {}", name_, line)};
 }
 
 void LogBuilder::warn(long line, const std::string& reason, const std::string& example) {
   const auto [found, is_new] = warning_of_reason_.try_emplace(reason, log_.warnings.size());
   if (is_new)
-    log_.warnings.push_back({{name_, line}, reason + example, 1});
+    log_.warnings.push_back({place(line), reason + example, 1});
   else
     ++log_.warnings[found->second].count;
 }
 
 void LogBuilder::leave_out(long line, const std::string& reason, const std::string& example) {
-  if (broken_++ == 0) first_broken_ = {{name_, line}, reason + example, 1};
+  if (broken_++ == 0) first_broken_ = {place(line), reason + example, 1};
   warn(line, reason, example);
 }
 
@@ -115,7 +120,7 @@ void LogBuilder::garbled(long line, const std::string& kind, const Tokens& token
 void LogBuilder::account(std::size_t bytes, long line) {
   memory_ += static_cast<double>(bytes);
   if (memory_ > options_.max_text)
-    throw InputError({name_, line},
+    throw InputError(place(line),
                      fmt::format("the measurements up to here take more than {:.0f} MB",
                                  options_.max_text / 1e6),
                      "raise log.max_text if the file is to be trusted");
@@ -133,7 +138,7 @@ bool LogBuilder::stamp_is_usable(double time, long line) {
   if (newest_ - time > options_.reorder_within) {
     // One such line alone is a damaged stamp; a second one in a row, and the clock was set back.
     if (line_gone_back_ != 0 && line_gone_back_ != line)
-      throw InputError({name_, line_gone_back_},
+      throw InputError(place(line_gone_back_),
                        fmt::format("the time goes back by {:.3f} s, from {:.6f} to {:.6f}",
                                    newest_ - time, newest_, time),
                        "cut the log there, use the other stamp (stamp) or raise reorder_within");
@@ -232,7 +237,7 @@ void LogBuilder::refuse_unknown_scans(const std::map<std::size_t, long>& scans_o
     counts += (counts.empty() ? "" : ", ") + std::to_string(beams);
   }
   throw InputError(
-      {name_, first_line_of_beams_.at(scans_of_beams.begin()->first)},
+      place(first_line_of_beams_.at(scans_of_beams.begin()->first)),
       fmt::format("holds {} scans of {} beams, whose fields of view are not known", scans_, counts),
       "set field_of_view, or bearing_step");
 }
@@ -250,7 +255,7 @@ void LogBuilder::complete_geometry() {
     const long line = first_line_of_beams_.at(beams);
     const std::string reason = fmt::format("the field of view of {} beams is not known", beams);
     if (2 * count > scans_)
-      throw InputError({name_, line}, reason, "set field_of_view, or bearing_step");
+      throw InputError(place(line), reason, "set field_of_view, or bearing_step");
     warn(line, reason + ": scan left out");
     log_.warnings.back().count = count;
   }

@@ -23,7 +23,9 @@ inline constexpr Pose2 kMountToBeTold{std::numeric_limits<double>::quiet_NaN(), 
 
 class LogBuilder {
  public:
-  LogBuilder(std::string name, const LogOptions& options);
+  // What the numbers count by which messages say where something is.
+  enum class Place { line, message };
+  LogBuilder(std::string name, const LogOptions& options, Place counted = Place::line);
 
   const std::string& name() const { return name_; }
   const LogOptions& options() const { return options_; }
@@ -49,6 +51,7 @@ class LogBuilder {
     std::size_t beams = 0;
   };
 
+  SourceLocation place(long line) const;
   bool stamp_is_usable(double time, long line);
   void leave_out(long line, const std::string& reason, const std::string& example = {});
   void account(std::size_t bytes, long line);
@@ -59,6 +62,7 @@ class LogBuilder {
 
   std::string name_;
   LogOptions options_;
+  Place counted_;
   RecordedLog log_;
   std::map<std::string, std::size_t> warning_of_reason_;
   std::map<int, LastScan> last_scan_of_laser_;

@@ -1,14 +1,13 @@
 #include "core/log/log_file.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
-#include <system_error>
 
 #include <fmt/core.h>
 
 #include "core/file/file_reader.h"
 #include "core/file/tokens.h"
+#include "core/log/bags/bag_file.h"
 #include "core/log/dialects/dialects.h"
 
 namespace mapbed {
@@ -20,28 +19,6 @@ constexpr std::size_t kLongestBeginning = 16u << 20;  // [bytes]
 
 // Some editors write it in front of UTF-8 text.
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf"sv;
-
-[[noreturn]] void refuse_bag(const std::string& name, const char* ros) {
-  throw InputError({name}, fmt::format("is a {} bag, which is not read here", ros),
-                   "write its scans and odometry out as a CARMEN log (FLASER or ROBOTLASER1 "
-                   "lines) or as `t n ranges` lines, for example with the Python package rosbags");
-}
-
-// ROS 2 records into a folder.
-void refuse_bag_folder(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(path, ignored)) return;
-  for (const auto& entry : std::filesystem::directory_iterator(path, ignored)) {
-    const std::string kind = entry.path().extension().string();
-    if (kind == ".db3" || kind == ".mcap") refuse_bag(path, "ROS 2");
-  }
-}
-
-void refuse_bag_file(const std::string& name, std::string_view bytes) {
-  if (bytes.starts_with("#ROSBAG"sv)) refuse_bag(name, "ROS 1");
-  if (bytes.starts_with("SQLite format 3"sv) || bytes.starts_with("\x89MCAP0\r\n"sv))
-    refuse_bag(name, "ROS 2");
-}
 
 bool is_text(std::string_view bytes) {
   return bytes.substr(0, 4096).find('\0') == std::string_view::npos;
@@ -66,24 +43,27 @@ bool is_complete(std::string_view bytes) {
 }
 
 std::unique_ptr<LogReader> make_reader(const std::string& name, std::string_view bytes,
-                                       const LogOptions& options) {
-  refuse_bag_file(name, bytes);
+                                       const LogOptions& options, bool& is_bag) {
   const LogBeginning beginning = beginning_of(bytes);
   std::string known;
   for (const LogDialect& dialect : log_dialects()) {
-    if (dialect.fits(beginning)) return dialect.make_reader(name, options);
+    if (dialect.fits(beginning)) {
+      is_bag = dialect.is_bag;
+      return dialect.make_reader(name, options);
+    }
     known += (known.empty() ? "" : ", ") + std::string(dialect.name);
   }
   if (!is_text(bytes))
-    throw InputError({name}, "is not text", "logs are read as plain text or gzipped text");
+    throw InputError({name}, "is neither text nor a bag of ROS that is known here",
+                     "logs are read as plain text, gzipped text, bags of ROS 1 and 2 and MCAP");
   if (beginning.line.empty())
     throw InputError({name}, "is empty", "a log has lines such as FLASER or ROBOTLASER1");
   throw InputError({name}, "is in no log format that is known here", "known are " + known);
 }
 
 // The log's first seconds.
-void keep_beginning(RecordedLog& log, const std::string& name, double longest) {
-  if (longest <= 0.0) return;
+RecordedLog first_seconds_of(RecordedLog log, const std::string& name, double longest) {
+  if (longest <= 0.0) return log;
   const double end = time_of(log.measurements.front()) + longest;
   std::erase_if(log.measurements, [end](const Measurement& m) { return time_of(m) > end; });
   std::erase_if(log.true_poses, [end](const Stamped<Pose2>& pose) { return pose.time > end; });
@@ -94,6 +74,7 @@ void keep_beginning(RecordedLog& log, const std::string& name, double longest) {
     throw InputError({name}, fmt::format("its first {:g} s hold no scan", longest),
                      "take more of it by log.longest");
   }
+  return log;
 }
 
 // Tells the dialect by the first pieces and hands all of them to its reader.
@@ -107,17 +88,17 @@ class LogParser {
     if (is_complete(beginning_)) start();
   }
 
+  bool is_bag() const { return is_bag_; }  // of which only what is used takes memory
+
   RecordedLog finish() {
     if (!reader_) start();
-    RecordedLog log = reader_->finish();
-    keep_beginning(log, name_, options_.longest);
-    return log;
+    return first_seconds_of(reader_->finish(), name_, options_.longest);
   }
 
  private:
   void start() {
     if (beginning_.starts_with(kByteOrderMark)) beginning_.erase(0, kByteOrderMark.size());
-    reader_ = make_reader(name_, beginning_, options_);
+    reader_ = make_reader(name_, beginning_, options_, is_bag_);
     reader_->add(beginning_);
     beginning_ = {};
   }
@@ -126,6 +107,7 @@ class LogParser {
   LogOptions options_;
   std::string beginning_;  // until the reader is there
   std::unique_ptr<LogReader> reader_;
+  bool is_bag_ = false;
 };
 
 }  // namespace
@@ -139,19 +121,30 @@ std::string to_string(const LogWarning& warning) {
 }
 
 RecordedLog load_log(const std::string& path, const LogOptions& options, const GoesOn& goes_on) {
-  refuse_bag_folder(path);
+  if (is_bag(path)) {
+    BagLog bag(path, options);
+    const std::string format = read_bag(path, bag, goes_on);
+    return first_seconds_of(bag.finish(format), path, options.longest);
+  }
   LogParser parser(path, options);
   FileReader file(path);
   double total = 0.0;
   for (std::string_view piece = file.next(); !piece.empty(); piece = file.next()) {
     throw_unless(goes_on);
     total += static_cast<double>(piece.size());
-    if (total > options.max_text)
+    if (total > options.max_text && !parser.is_bag())
       throw InputError({path}, fmt::format("unpacks to more than {} MB", options.max_text / 1e6),
                        "set max_text if the file is to be trusted");
     parser.add(piece);
   }
   return parser.finish();
+}
+
+std::optional<BagContents> bag_contents(const std::string& path) {
+  if (!is_bag(path)) return {};
+  BagLog bag(path, {});
+  bag.count_only();
+  return bag.contents(read_bag(path, bag));
 }
 
 RecordedLog parse_log(const std::string& name, std::string_view text, const LogOptions& options) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,9 +19,11 @@
 //   CoreSLAM   encoder ticks and 682 ranges in millimetres a line      see coreslam_log.h
 //   DP-SLAM    `Odometry x y theta`, `Laser n r…`, no stamps           see dpslam_log.h
 //   scan list  `t n r…`, the scan geometry in its '#' header           see scan_list_log.h
+//   bags       of ROS 1 and ROS 2, the latter also as folders, MCAP    see bags/bag_log.h
 //
 // Every line is a message of its own, so a broken one is left out, counted and named in the
-// warnings; a log of which more than one in ten messages is broken is refused.
+// warnings; so is a message of a bag. A log of which more than one in ten messages is broken is
+// refused.
 
 namespace mapbed {
 
@@ -33,8 +36,22 @@ struct LogWarning {
 
 std::string to_string(const LogWarning& warning);  // one line: place, reason, count
 
+// A topic of a bag.
+struct RecordedTopic {
+  std::string name;  // "/scan"
+  std::string type;  // "sensor_msgs/LaserScan"
+  long messages = 0;
+};
+
+// What a bag holds, of whatever kind.
+struct BagContents {
+  std::string format;  // "ROS 1 bag", "ROS 2 bag", "MCAP"
+  std::vector<RecordedTopic> topics;
+  double seconds = 0.0;  // from the first to the last message, as they were recorded
+};
+
 struct RecordedLog {
-  std::string format;                             // "CARMEN", "CoreSLAM", "DP-SLAM", "scan list"
+  std::string format;                             // "CARMEN", "CoreSLAM", "scan list", "MCAP", …
   SensorLog measurements;                         // by time; at least one scan
   Trajectory true_poses;                          // world_from_robot; where the log has them
   bool has_stamps = true;                         // false: the times are made up
@@ -48,5 +65,8 @@ RecordedLog load_log(const std::string& path, const LogOptions& options = {},
                      const GoesOn& goes_on = {});
 RecordedLog parse_log(const std::string& name, std::string_view text,
                       const LogOptions& options = {});
+
+// None where the file or folder is no bag. Throws InputError where it cannot be read.
+std::optional<BagContents> bag_contents(const std::string& path);
 
 }  // namespace mapbed

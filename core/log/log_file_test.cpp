@@ -225,25 +225,23 @@ TEST(BadLog, AnUnknownLaserNeedsItsFieldOfView) {
   EXPECT_NEAR(scans[0].bearing_step, radians(1), 1e-12);
 }
 
-TEST(BadLog, BagsAreRefusedWithTheWayOut) {
-  const std::string remedy =
-      "write its scans and odometry out as a CARMEN log (FLASER or ROBOTLASER1 lines) or as `t n "
-      "ranges` lines, for example with the Python package rosbags";
+TEST(BadLog, BagsWithNothingInThemAreRefused) {
   EXPECT_EQ(message_of("#ROSBAG V2.0\n\x01"),
-            "a.log: is a ROS 1 bag, which is not read here; " + remedy);
-  EXPECT_EQ(message_of(std::string("SQLite format 3\0abc", 19)),
-            "a.log: is a ROS 2 bag, which is not read here; " + remedy);
+            "a.log: is cut short: read up to there; fetch or copy the file again");
+  EXPECT_THAT(message_of(std::string("SQLite format 3\0abc", 19)),
+              HasSubstr("a.log: is no ROS 2 bag that can be read; SQLite says: "));
   EXPECT_EQ(message_of("\x89MCAP0\r\n"),
-            "a.log: is a ROS 2 bag, which is not read here; " + remedy);
+            "a.log: is cut short: read up to there; fetch or copy the file again");
 }
 
 TEST(BadLog, WhatIsNoLogIsRefused) {
   EXPECT_EQ(message_of(std::string("FLASER\0", 7)),
-            "a.log: is not text; logs are read as plain text or gzipped text");
+            "a.log: is neither text nor a bag of ROS that is known here; logs are read as plain "
+            "text, gzipped text, bags of ROS 1 and 2 and MCAP");
   EXPECT_EQ(
       message_of("{\"a\": 1}\n"),
       "a.log: is in no log format that is known here; known are DP-SLAM, CARMEN, `t n ranges` "
-      "lines, CoreSLAM");
+      "lines, CoreSLAM, bags of ROS 1, bags of ROS 2, MCAP");
   EXPECT_THAT(message_of("1 2 3\n"), HasSubstr("is in no log format that is known here"));
 }
 
@@ -299,11 +297,11 @@ TEST_F(LogFile, AMissingFileOrAFolderIsRefused) {
   EXPECT_THAT(message_of(::testing::TempDir()), HasSubstr("is a folder, not a file"));
 }
 
-TEST_F(LogFile, TheFolderOfARos2BagIsRefusedAsABag) {
+TEST_F(LogFile, TheFolderOfARos2BagIsReadAsABag) {
   const std::filesystem::path bag = std::filesystem::path(::testing::TempDir()) / "drive_bag";
   std::filesystem::create_directories(bag);
   std::ofstream(bag / "drive_0.db3") << "SQLite format 3";
-  EXPECT_THAT(message_of(bag.string()), HasSubstr("drive_bag: is a ROS 2 bag"));
+  EXPECT_THAT(message_of(bag.string()), HasSubstr("drive_bag: is no ROS 2 bag that can be read"));
   std::filesystem::remove_all(bag);
 }
 

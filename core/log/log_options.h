@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/config/option.h"
+#include "core/log/bag_options.h"
 
 namespace mapbed {
 
@@ -43,6 +44,7 @@ struct LogOptions {
   double longest = 0.0;         // [s] from the first measurement on that is kept; 0: everything
   double max_text = 1e9;        // [bytes] of text, after unpacking
   WheelGeometry wheels = {};    // for logs of encoder ticks
+  BagOptions bag = {};          // for bags of ROS
 };
 
 template <class Visitor>
@@ -67,8 +69,9 @@ void visit_fields(LogOptions& o, Visitor&& visit) {
   visit("longest", o.longest, Unit::second, kNotNegative,
         "how much of the log, from its first measurement on, is used; 0: all of it");
   visit("max_text", o.max_text, between(1.0, 1e12),
-        "largest text, in bytes after unpacking, that is read");
+        "largest text, in bytes after unpacking, that is read; of bags: memory of what is used");
   visit("wheels", o.wheels, "the robot's wheels, for logs of encoder ticks");
+  visit("bag", o.bag, "topics and frames, for bags of ROS");
 }
 
 }  // namespace mapbed

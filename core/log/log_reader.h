@@ -46,6 +46,7 @@ struct LogDialect {
   bool (*fits)(const LogBeginning& beginning) = nullptr;
   std::unique_ptr<LogReader> (*make_reader)(const std::string& name,
                                             const LogOptions& options) = nullptr;
+  bool is_bag = false;  // not text; only what is used of it takes memory
 };
 
 }  // namespace mapbed

@@ -80,6 +80,10 @@ const std::vector<Confined> kConfined = {
     {"gmock/", {"core/testing/", "bench/cli/testing/"}},
     {"nlohmann/", {"bench/", "core/"}},
     {"zlib.h", {"core/file/"}},
+    {"bzlib.h", {"core/file/"}},
+    {"lz4frame.h", {"core/file/"}},
+    {"zstd.h", {"core/file/"}},
+    {"sqlite3.h", {"core/log/bags/"}},
     {"boost/", {"core/statistics/"}},
     {"Random123/", {"core/random.cpp"}},
 };

@@ -1,5 +1,6 @@
 #include "core/log/dialects/dialects.h"
 
+#include "core/log/dialects/bag.h"
 #include "core/log/dialects/carmen_log.h"
 #include "core/log/dialects/coreslam_log.h"
 #include "core/log/dialects/dpslam_log.h"
@@ -13,6 +14,9 @@ std::span<const LogDialect> log_dialects() {
       carmen_dialect(),
       scan_list_dialect(),
       coreslam_dialect(),
+      rosbag1_dialect(),
+      rosbag2_dialect(),
+      mcap_dialect(),
   };
   return dialects;
 }
