@@ -227,11 +227,13 @@ TEST(BadLog, AnUnknownLaserNeedsItsFieldOfView) {
 
 TEST(BadLog, BagsWithNothingInThemAreRefused) {
   EXPECT_EQ(message_of("#ROSBAG V2.0\n\x01"),
-            "a.log: is cut short: read up to there; fetch or copy the file again");
+            "a.log: is cut short: read up to there, where no laser scan stands; fetch or copy the "
+            "file again");
   EXPECT_THAT(message_of(std::string("SQLite format 3\0abc", 19)),
               HasSubstr("a.log: is no ROS 2 bag that can be read; SQLite says: "));
   EXPECT_EQ(message_of("\x89MCAP0\r\n"),
-            "a.log: is cut short: read up to there; fetch or copy the file again");
+            "a.log: is cut short: read up to there, where no laser scan stands; fetch or copy the "
+            "file again");
 }
 
 TEST(BadLog, WhatIsNoLogIsRefused) {

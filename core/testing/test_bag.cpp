@@ -128,13 +128,18 @@ std::string TestBag::chunk(const std::string& records, const std::string& packin
                 records);
 }
 
+std::string TestBag::index(std::uint32_t messages, std::uint32_t told) {
+  return counted(field("op", "\x04") + field("ver", raw(std::uint32_t{1})) +
+                 field("conn", raw(std::uint32_t{0})) + field("count", raw(messages))) +
+         raw(told) + std::string(12 * messages, '\x01');
+}
+
 std::string TestBag::records() const {
   return records_;
 }
 
 std::string TestBag::bytes() const {
-  return beginning() + chunk(records_) +
-         record(field("op", "\x04") + field("conn", raw(std::uint32_t{0})), "");
+  return beginning() + chunk(records_) + index(1, 12);
 }
 
 }  // namespace mapbed

@@ -47,6 +47,8 @@ class TestBag {
   static std::string beginning();  // the first line and the bag header
   static std::string chunk(const std::string& records, const std::string& packing = "none",
                            std::size_t size = 0);  // 0: that of the records
+  // Of the chunk before; `told` is the length that it claims to have [bytes].
+  static std::string index(std::uint32_t messages, std::uint32_t told);
 
  private:
   std::map<std::string, std::uint32_t> connections_;

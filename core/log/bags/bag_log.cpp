@@ -153,9 +153,10 @@ BagContents BagLog::contents(const std::string& format) const {
 }
 
 RecordedLog BagLog::finish(const std::string& format) {
-  if (messages_ == 0)
-    throw InputError({name()}, damage_.empty() ? "holds no messages" : damage_,
-                     damage_.empty() ? "record it again" : "fetch or copy the file again");
+  if (!damage_.empty() && !topics_.has_scans())
+    throw InputError({name()}, damage_ + ", where no laser scan stands",
+                     "fetch or copy the file again");
+  if (messages_ == 0) throw InputError({name()}, "holds no messages", "record it again");
   const std::vector<int> lasers = assemble(std::move(readings_), topics_, builder_);
   RecordedLog log = builder_.finish(format);
   for (RecordedLaser& laser : log.lasers)

@@ -182,6 +182,12 @@ std::optional<int> BagTopics::odometry() const {
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
+bool BagTopics::has_scans() const {
+  return std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) {
+    return is_scan_type(entry.type) && entry.told.messages > 0;
+  });
+}
+
 bool BagTopics::is_truth(int topic) const {
   const Entry& entry = entries_[static_cast<std::size_t>(topic)];
   return is_pose_type(entry.type) && is_called(entry.topic, options_.truth);

@@ -31,6 +31,7 @@ class BagTopics {
   const BagTopic& at(int topic) const { return entries_[static_cast<std::size_t>(topic)].topic; }
   RosType type_of(int topic) const { return entries_[static_cast<std::size_t>(topic)].type; }
   bool is_truth(int topic) const;
+  bool has_scans() const;
   std::vector<RecordedTopic> told() const;
 
   // Whether messages of this one can be of use, as far as it is known while they are read. Throws

@@ -49,6 +49,14 @@ double time_of_field(std::string_view header, std::string_view name) {
   return seconds + static_cast<double>(in.u32()) / 1e9;
 }
 
+// [bytes] Some bags of 2010 tell a wrong length of their index; the number of its entries is right.
+std::uint32_t size_of_data(std::string_view header, std::uint32_t told) {
+  constexpr std::uint32_t kEntry = 12;  // [bytes] time and place of a message
+  if (field(header, "op") != "\x04"sv || number<std::uint32_t>(header, "ver") != 1u) return told;
+  const auto entries = number<std::uint32_t>(header, "count");
+  return entries && *entries <= told / kEntry ? *entries * kEntry : told;
+}
+
 }  // namespace
 
 struct Rosbag1Reader::Record {
@@ -81,12 +89,10 @@ std::size_t Rosbag1Reader::read_records(std::string_view bytes) {
   while (!is_stopped_) {
     ByteInput in(bytes.substr(used));
     const std::string_view header = in.counted();
-    const std::uint32_t size = in.u32();
-    if (in.ok() ? field(header, "op").size() != 1 : header.empty() && in.left() > kLongestHeader) {
-      damaged("record");
-      return used;
-    }
-    if (size > log_.max_bytes()) {
+    const std::uint32_t size = size_of_data(header, in.u32());
+    const bool has_no_header =
+        in.ok() ? field(header, "op").size() != 1 : header.empty() && in.left() > kLongestHeader;
+    if (has_no_header || size > log_.max_bytes()) {
       damaged("record");
       return used;
     }
