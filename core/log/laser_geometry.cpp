@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <variant>
 
 #include "core/file/tokens.h"
@@ -31,27 +32,67 @@ double stated_max_range(const RecordedLog& log, int laser) {
   return 0.0;
 }
 
-// A pile of equal readings at the upper end of the scale.
-std::optional<double> pile_at_the_top(std::vector<double>& upper_half) {
-  if (upper_half.empty()) return std::nullopt;
-  std::sort(upper_half.begin(), upper_half.end());
-  double best = 0.0;
+using Scans = std::vector<const LaserScan*>;
+
+// How often the most frequent value comes up, and the next one; of several the largest is the
+// first.
+struct Frequent {
+  double value = 0.0;
   std::ptrdiff_t most = 0;
   std::ptrdiff_t second = 0;
-  for (auto run = upper_half.begin(); run != upper_half.end();) {
-    const auto end = std::upper_bound(run, upper_half.end(), *run);
+};
+
+Frequent most_frequent(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  Frequent result;
+  for (auto run = values.begin(); run != values.end();) {
+    const auto end = std::upper_bound(run, values.end(), *run);
     const std::ptrdiff_t count = end - run;
-    if (count >= most) {
-      second = most;
-      most = count;
-      best = *run;
+    if (count >= result.most) {
+      result = {*run, count, result.most};
     } else {
-      second = std::max(second, count);
+      result.second = std::max(result.second, count);
     }
     run = end;
   }
-  const bool at_the_top = best >= 0.99 * upper_half.back();
-  return at_the_top && most >= 10 && most >= 10 * second ? std::optional(best) : std::nullopt;
+  return result;
+}
+
+std::vector<double> readings_from(const Scans& scans, double least) {
+  std::vector<double> readings;
+  for (const LaserScan* scan : scans)
+    for (const double r : scan->ranges)
+      if (r >= least && std::isfinite(r)) readings.push_back(r);
+  return readings;
+}
+
+// Whether a reading above half of `top` and below `end` comes up more often than that. Only values
+// that share their bin with so many can, and those alone are sorted.
+bool comes_up_more_often(const Scans& scans, double top, double end, std::ptrdiff_t than) {
+  constexpr std::size_t kBins = 1 << 16;
+  const double begin = 0.5 * top;
+  const double per_bin = static_cast<double>(kBins - 1) / (end - begin);
+  const auto bin_of = [&](double r) { return static_cast<std::size_t>((r - begin) * per_bin); };
+  std::vector<std::ptrdiff_t> counts(kBins, 0);
+  for (const LaserScan* scan : scans)
+    for (const double r : scan->ranges)
+      if (r > begin && r < end) ++counts[bin_of(r)];
+  std::vector<double> readings;
+  for (const LaserScan* scan : scans)
+    for (const double r : scan->ranges)
+      if (r > begin && r < end && counts[bin_of(r)] > than) readings.push_back(r);
+  return most_frequent(std::move(readings)).most > than;
+}
+
+// A pile of equal readings at the upper end of the scale.
+std::optional<double> pile_at_the_top(const Scans& scans, double top) {
+  if (!(top > 0.0)) return std::nullopt;
+  const double end = 0.99 * top;
+  const Frequent pile = most_frequent(readings_from(scans, end));
+  const std::ptrdiff_t others = pile.most / 10;
+  if (others == 0 || pile.second > others) return std::nullopt;
+  if (comes_up_more_often(scans, top, end, others)) return std::nullopt;
+  return pile.value;
 }
 
 }  // namespace
@@ -101,11 +142,7 @@ double max_range_of(const std::vector<const LaserScan*>& scans, double stated) {
       return stated > 0.0 ? std::min(code, stated) : code;
   }
 
-  std::vector<double> upper_half;
-  for (const LaserScan* scan : scans)
-    for (const double r : scan->ranges)
-      if (std::isfinite(r) && r > 0.5 * top) upper_half.push_back(r);
-  if (const auto pile = pile_at_the_top(upper_half))
+  if (const auto pile = pile_at_the_top(scans, top))
     return stated > 0.0 ? std::min(*pile, stated) : *pile;
   if (stated > 0.0) return stated;
   for (const double usual : {8.0, 16.0, 30.0, 50.0, 81.83})
