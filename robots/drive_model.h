@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,14 @@ enum class DriveKind : int {
   synchro,       // all wheels steer together; turns without scrubbing
   differential,  // two driven wheels and a caster
   skid_steer,    // four fixed wheels; turns by scrubbing
+  omni,          // four wheels with rollers; drives in any direction as it turns
+  ackermann,     // a car: two steered wheels ahead of two fixed ones; the origin is between them
 };
 
 // As files write them, by the kind's number.
 inline const std::vector<std::string>& drive_kind_names() {
-  static const std::vector<std::string> names{"synchro", "differential", "skid_steer"};
+  static const std::vector<std::string> names{"synchro", "differential", "skid_steer", "omni",
+                                              "ackermann"};
   return names;
 }
 inline const std::string& name_of(DriveKind kind) {
@@ -35,6 +39,14 @@ struct DriveModel {
   double surface_spread = 0.0;     // relative sigma of sideways against lengthwise friction ...
   double surface_patch = 2.0;      // [m] ... drawn anew for every square patch of floor
   double wheel_spread = 0.0;       // relative sigma of a wheel's radius, drawn once a robot
+  double max_steering = 0.5;       // [rad] of a car's front wheels, to either side
+  double steering_rate = 1.0;      // [rad/s] at which they are turned
+  double steering_spread = 0.0;    // [rad] sigma of their zero, drawn once a robot
+
+  // [m] the least circle of the middle between a car's rear wheels; 0: turns on the spot.
+  double turning_radius() const {
+    return kind == DriveKind::ackermann ? wheel_base / std::tan(max_steering) : 0.0;
+  }
 };
 
 template <class Visitor>
@@ -58,6 +70,12 @@ void visit_fields(DriveModel& o, Visitor&& visit) {
         "side of such a patch");
   visit("wheel_spread", o.wheel_spread, between(0.0, 0.1),
         "relative sigma of the wheels' radii, drawn once a robot");
+  visit("max_steering", o.max_steering, Unit::radian, between(0.01, 1.4),
+        "of a car's front wheels, to either side");
+  visit("steering_rate", o.steering_rate, Unit::radian_per_second, between(0.001, 100.0),
+        "at which a car's front wheels are turned");
+  visit("steering_spread", o.steering_spread, Unit::radian, between(0.0, 0.5),
+        "sigma of the zero of a car's steering, drawn once a robot");
 }
 
 }  // namespace mapbed

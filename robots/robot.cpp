@@ -24,10 +24,35 @@ void check_footprint(const SourceLocation& place, const RobotFootprint& footprin
   }
 }
 
+void check_drive(const SourceLocation& place, const Robot& robot) {
+  if (robot.drive.kind == DriveKind::ackermann && robot.drive.wheel_base < kSmallest) {
+    throw InputError(place, "a car without a wheel base cannot be steered",
+                     "give drive.wheel_base, between its axles");
+  }
+  const OdometryModel& odometry = robot.odometry;
+  if (odometry.errors == OdometryErrors::components &&
+      (odometry.start_turn_bias != 0.0 || odometry.start_turn_per_meter != 0.0)) {
+    throw InputError(place, "odometry with errors of components has no start turn",
+                     "leave out odometry.start_turn_…, or say odometry.errors: turns");
+  }
+}
+
 void refuse_old_key(const ConfigNode& node, const std::string& old_key, const std::string& key) {
   const ConfigNode* old = node.find(old_key);
   if (old != nullptr)
     throw InputError(old->place(), in_quotes(old_key) + " is now " + in_quotes(key));
+}
+
+// The model of a sensor's file, which `place` names.
+void take_model(const std::string& file, const SourceLocation& place, MountedSensor& sensor) {
+  sensor.file = with_whole_path(file, place);
+  try {
+    sensor.model = load_sensor(sensor.file);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    if (!message.starts_with("unknown sensor")) throw;
+    throw InputError(place, message);
+  }
 }
 
 // An entry of the robot's list of sensors: a sensor by name, where it is mounted, and what differs
@@ -37,15 +62,10 @@ MountedSensor mounted_sensor(const ConfigNode& entry) {
   MountedSensor sensor;
   sensor.name = entry.at("name").text();
   const ConfigNode& file = entry.at("sensor");
-  sensor.file = with_whole_path(file.text(), file.place());
-  try {
-    sensor.model = load_sensor(sensor.file);
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    if (!message.starts_with("unknown sensor")) throw;
-    throw InputError(file.place(), message);
-  }
+  take_model(file.text(), file.place(), sensor);
+  const std::string whole_path = sensor.file;
   read_options(entry, options_of(sensor));
+  sensor.file = whole_path;
   check_sensor(sensor.model, entry.place());
   return sensor;
 }
@@ -96,6 +116,7 @@ Robot load_robot(const std::string& name_or_path) {
   // Before there are sensors, whose names are not keys of the file.
   read_options(file, options_of(robot));
   check_footprint(file.at("footprint").place(), robot.footprint);
+  check_drive(file.place(), robot);
   robot.sensors = sensors_of(file);
   for (const MountedSensor& sensor : robot.sensors) {
     merge({input_file(sensor_file(sensor.file))}, robot.files);
@@ -104,8 +125,21 @@ Robot load_robot(const std::string& name_or_path) {
   return robot;
 }
 
+void exchange_sensors(Settings& settings, Robot& robot) {
+  for (MountedSensor& sensor : robot.sensors) {
+    std::erase_if(settings, [&](const Setting& setting) {
+      if (setting.path != "robot." + sensor.name + ".sensor") return false;
+      if (setting.text == sensor.file) return true;
+      take_model(setting.text, setting.place, sensor);
+      merge({input_file(sensor_file(sensor.file))}, robot.files);
+      return true;
+    });
+  }
+}
+
 void check_robot(const Robot& robot, const SourceLocation& place) {
   check_footprint(place, robot.footprint);
+  check_drive(place, robot);
   for (const MountedSensor& sensor : robot.sensors) check_sensor(sensor.model, place);
 }
 

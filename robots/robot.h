@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/config/option.h"
+#include "core/config/settings.h"
 #include "core/file/input_file.h"
 #include "core/sensor/mount.h"
 #include "robots/drive_model.h"
@@ -63,6 +64,7 @@ void visit_fields(RobotFootprint& o, Visitor&& visit) {
 template <class Visitor>
 void visit_fields(MountedSensor& o, Visitor&& visit) {
   Mount& mount = o.robot_from_sensor;
+  visit("sensor", o.file, "the name or the path of its file");
   visit("x", mount.planar.x, Unit::meter, between(-100.0, 100.0), "ahead of the robot's origin");
   visit("y", mount.planar.y, Unit::meter, between(-100.0, 100.0), "to the left of it");
   visit("heading", mount.planar.theta, Unit::radian, "where it looks, counter-clockwise");
@@ -87,6 +89,11 @@ void visit_fields(Robot& o, Visitor&& visit) {
 // By name (robots/NAME.yaml) or by the path of a robot file; paths in it are relative to its
 // folder. Throws InputError with place, reason and remedy.
 Robot load_robot(const std::string& name_or_path);
+
+// Other sensors in place of the robot's own, at the same mounts: settings of
+// "robot.FRONT.sensor", which are taken out of the list, FRONT being a sensor's name. Throws
+// InputError.
+void exchange_sensors(Settings& settings, Robot& robot);
 
 // Throws InputError where the values do not go together, with `place` in the message: load_robot
 // did so already, settings may have changed some since.

@@ -1,5 +1,6 @@
 #include "robots/robot.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -49,6 +50,8 @@ TEST(Robot, EveryShippedRobotAndSensorLoads) {
     EXPECT_GT(robot.footprint.reach(), 0.0);
     EXPECT_FALSE(lasers_of(robot).empty());
   }
+  EXPECT_EQ(load_robot("youbot").drive.kind, DriveKind::omni);
+  EXPECT_NEAR(load_robot("f1tenth").drive.turning_radius(), 0.3302 / std::tan(0.4189), 1e-9);
   for (const std::string& name : sensor_names()) EXPECT_GT(load_laser(name).beams, 0);
 }
 
@@ -131,6 +134,19 @@ TEST(Robot, AFootprintIsACircleOrABox) {
   EXPECT_THAT(error_of("footprint: {length: 2 m, width: 9 mm}\n"), HasSubstr("narrower than 1 cm"));
 }
 
+TEST(Robot, ACarNeedsAWheelBase) {
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\ndrive: {kind: ackermann}\n"),
+              HasSubstr("a car without a wheel base cannot be steered; give drive.wheel_base"));
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\ndrive: {kind: ackermann, wheel_base: 30 cm}\n"),
+              HasSubstr("no error"));
+}
+
+TEST(Robot, OdometryByComponentsHasNoStartTurn) {
+  EXPECT_THAT(error_of("footprint: {radius: 20 cm}\n"
+                       "odometry: {errors: components, start_turn_per_meter: 1 deg}\n"),
+              HasSubstr("odometry with errors of components has no start turn"));
+}
+
 TEST(Robot, WhatSettingsMadeOfItIsCheckedAgain) {
   Robot robot = load_robot("b21r");
   EXPECT_NO_THROW(check_robot(robot, {}));
@@ -169,6 +185,27 @@ TEST(Robot, SettingsReachItsSensorsByTheirNames) {
         options_of(robot), "the robot");
   EXPECT_DOUBLE_EQ(lasers_of(robot)[0].model.noise.bias, 0.03);
   EXPECT_NEAR(lasers_of(robot)[0].robot_from_laser.pitch, radians(5.0), 1e-12);
+}
+
+TEST(Robot, CarriesAnotherSensorAtTheSameMount) {
+  Robot robot = load_robot("pioneer");
+  const Mount mount = robot.sensors[0].robot_from_sensor;
+  Settings settings{parse_setting("robot.front.sensor=rplidar_a1"),
+                    parse_setting("robot.front.noise.bias=3 cm")};
+  exchange_sensors(settings, robot);
+  ASSERT_EQ(settings.size(), 1u);  // what is left is for the new one
+  EXPECT_EQ(robot.sensors[0].file, "rplidar_a1");
+  EXPECT_EQ(lasers_of(robot)[0].model.beams, 360);
+  EXPECT_DOUBLE_EQ(lasers_of(robot)[0].robot_from_laser.planar.x, mount.planar.x);
+  EXPECT_EQ(robot.files.size(), 3u);  // its own, the old sensor's and the new one's
+
+  settings = {parse_setting("robot.front.sensor=rplidar_b1")};
+  try {
+    exchange_sensors(settings, robot);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("unknown sensor 'rplidar_b1'; did you mean 'rplidar_"));
+  }
 }
 
 TEST(Robot, AFileSaysWhatKindOfSensorItIs) {

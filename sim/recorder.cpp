@@ -4,7 +4,10 @@
 #include <limits>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "sim/noise/sensor_noise.h"
+#include "sim/stuck.h"
 
 namespace mapbed {
 namespace {
@@ -75,16 +78,26 @@ class Recorder {
         schedule_(simulation.robot()),
         noise_(simulation.robot(), rng) {}
 
-  bool run() {
+  RecordingEnd run() {
+    StuckWatch watch(options_.stuck_after);
     take_readings();
     while (!driver_.is_done() && simulation_.now().time < options_.longest) {
       simulation_.step(driver_.command(simulation_.now().time));
       take_readings();
+      const Situation& now = simulation_.now();
+      if (watch.is_stuck(now, driver_.is_resting(now.time))) return {false, report(watch.since())};
     }
-    return driver_.is_done();
+    return {driver_.is_done(), {}};
   }
 
  private:
+  std::string report(double since) const {
+    const Pose2& robot = simulation_.now().robot;
+    return fmt::format("the robot has stood at ({:.2f} m, {:.2f} m) since {:.1f} s, stuck by {}",
+                       robot.x, robot.y, since + options_.first_stamp,
+                       what_is_in_the_way(simulation_));
+  }
+
   void take_readings() {
     while (const auto event = schedule_.next(simulation_.now().time)) {
       const Situation situation = simulation_.at(event->stamp);
@@ -127,8 +140,8 @@ class Recorder {
 
 }  // namespace
 
-bool record(Simulation& simulation, Driver& driver, const RecorderOptions& options, const Rng& rng,
-            const RecordingSink& sink) {
+RecordingEnd record(Simulation& simulation, Driver& driver, const RecorderOptions& options,
+                    const Rng& rng, const RecordingSink& sink) {
   return Recorder(simulation, driver, options, rng, sink).run();
 }
 
@@ -136,7 +149,7 @@ Recording record(Simulation& simulation, Driver& driver, const RecorderOptions& 
                  const Rng& rng) {
   Recording recording;
   static_cast<TruthHeader&>(recording.truth) = simulation.truth_header();
-  recording.is_complete = record(simulation, driver, options, rng, sink_into(recording));
+  recording.end = record(simulation, driver, options, rng, sink_into(recording));
   return recording;
 }
 

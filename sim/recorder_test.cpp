@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <gmock/gmock.h>
+
 #include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
 #include "core/testing/throws_input_error.h"
@@ -66,9 +68,62 @@ Drive recorded(const World& world, const Robot& robot, const CrowdOptions& peopl
   return {std::move(recording), std::move(log)};
 }
 
+// Drives ahead whatever there is, and rests when it is told to.
+class AlwaysAhead : public Driver {
+ public:
+  explicit AlwaysAhead(double rests_until = -1.0) : rests_until_(rests_until) {}
+  void add(const Measurement& /*measurement*/) override {}
+  DriveCommand command(double time) override {
+    return {.forward_velocity = is_resting(time) ? 0.0 : 0.5};
+  }
+  bool is_done() const override { return false; }
+  bool is_resting(double time) const override { return time < rests_until_; }
+
+ private:
+  double rests_until_;
+};
+
+RecordingEnd end_of_drive_into(const Entity& obstacle, Driver& driver, double longest) {
+  World world = small_room(8.0, 5.0);
+  world.entities.push_back(obstacle);
+  Simulation simulation(world, small_robot(), {1.0, 2.5, 0.0}, {}, Rng(1));
+  return record(simulation, driver, {.longest = longest, .stuck_after = 10.0}, Rng(1)).end;
+}
+
+TEST(Recorder, ARobotThatIsStuckIsToldWhereAndByWhatAndTheRecordingEnds) {
+  AlwaysAhead driver;
+  const RecordingEnd end = end_of_drive_into(block("crate", {4.0, 2.5}, {1.0, 1.0}), driver, 60.0);
+  EXPECT_FALSE(end.is_complete);
+  // The crate begins at 3.5 m, the robot reaches 0.25 m: 2.25 m at 0.5 m/s, and 0.5 s to speed up;
+  // the last 5 cm do not count.
+  EXPECT_THAT(end.stuck,
+              ::testing::MatchesRegex(
+                  "the robot has stood at \\(3\\.2[0-9] m, 2\\.50 m\\) since (4\\.9|5\\.[0-9]) "
+                  "s, stuck by 'crate'"));
+}
+
+TEST(Recorder, ADriverThatRestsIsNotStuckNorOneWhoseTimeIsOver) {
+  AlwaysAhead resting(30.0);
+  EXPECT_EQ(end_of_drive_into(block("crate", {4.0, 2.5}, {1.0, 1.0}), resting, 35.0).stuck, "");
+  AlwaysAhead driver;
+  EXPECT_EQ(end_of_drive_into(block("crate", {4.0, 2.5}, {1.0, 1.0}), driver, 12.0).stuck, "");
+}
+
+// Nobody gets past somebody in a corridor of 90 cm, who is pushed to its end.
+TEST(Recorder, WhoStandsInTheWayIsToldToo) {
+  World world = small_room(6.0, 0.9);
+  world.crowd.places = {{.position = {4.0, 0.45}, .radius = 0.01}};
+  Simulation simulation(world, small_robot(), {1.0, 0.45, 0.0},
+                        {.actors = {.people = {.standing = 1}}}, Rng(3));
+  AlwaysAhead driver;
+  const RecordingEnd end =
+      record(simulation, driver, {.longest = 60.0, .stuck_after = 10.0}, Rng(1)).end;
+  EXPECT_THAT(end.stuck, ::testing::HasSubstr("stuck by somebody at ("));
+}
+
 TEST(Recorder, TheDriverFollowsItsPathToTheEnd) {
   const Drive run = recorded(room_with_path(), small_robot(), {}, 1);
-  EXPECT_TRUE(run.recording.is_complete);
+  EXPECT_TRUE(run.recording.end.is_complete);
   const Pose2 end = run.recording.truth.states.back().world_from_robot;
   EXPECT_LT((end.position() - Eigen::Vector2d(6.5, 4.0)).norm(), 0.25);
   for (const StampedStates& states : run.recording.truth.states) {

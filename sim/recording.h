@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "sim/sensors/ideal_reading.h"
@@ -9,12 +10,18 @@
 
 namespace mapbed {
 
+// How a drive ended.
+struct RecordingEnd {
+  bool is_complete = false;  // the driver was done; false: the longest time was over, or ...
+  std::string stuck;         // ... the robot got stuck: when, where and by what; else empty
+};
+
 // A drive without noise, and what was true during it. Noise is drawn afterwards, as often and as
 // strong as wanted (sim/noise/sensor_noise.h): the world is rendered once.
 struct Recording {
   std::vector<IdealReading> readings;  // by time; odometry of a scan's stamp comes before it
   Truth truth;
-  bool is_complete = false;  // the driver was done; false: the longest time was over
+  RecordingEnd end;
 };
 
 // Who takes a recording as it grows, each kind by time.

@@ -236,8 +236,8 @@ const Situation& Simulation::now() const {
 std::span<const Obstacle> Simulation::obstacles() const {
   return state_->obstacles;
 }
-bool Simulation::is_touching() const {
-  return state_->physics.is_touching();
+std::optional<Touch> Simulation::touched() const {
+  return state_->physics.touched();
 }
 const Entity& Simulation::entity(int id) const {
   return state_->scene.entity(id);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "robots/robot.h"
 #include "sim/actors/actors.h"
 #include "sim/actors/navigation_map.h"
+#include "sim/physics/touch.h"
 #include "sim/sensors/ideal_scan.h"
 #include "sim/truth/truth.h"
 #include "worlds/world.h"
@@ -57,7 +59,8 @@ class Simulation {
   const Situation& now() const;                 // stays in its place and changes with each step
   std::span<const Obstacle> obstacles() const;  // that move, without the robot, as they stand now
   Situation at(double time) const;              // [s] within the last 200 ms or the longest sweep
-  bool is_touching() const;                     // the robot touches something
+  std::optional<Touch> touched() const;         // by the robot; the mover is one of obstacles()
+  bool is_touching() const { return touched().has_value(); }
 
   // A whole sweep that began at `start` and is over by now, every beam at its own time and from its
   // own pose. `laser` as LaserScan counts. Changes nothing but where the scene has its moving

@@ -109,7 +109,10 @@ int simulate(const SimulateArguments& arguments) {
              "real time\n",
              result.simulation.robot.name, result.simulation.world->name, scans.size(), recorded,
              path_length(truth), seconds, seconds > 0.0 ? recorded / seconds : 0.0);
-  if (!result.recording.is_complete) {
+  const RecordingEnd& end = result.recording.end;
+  if (!end.stuck.empty()) {
+    fmt::print(stderr, "remark: {}; the recording ends there\n", end.stuck);
+  } else if (!end.is_complete) {
     fmt::print(stderr, "remark: the robot did not get to the end of its path in time\n");
   }
   fmt::print(words, "written to {}{}\n", arguments.log, is_alone ? "" : " and files beside it");

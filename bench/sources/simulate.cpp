@@ -179,13 +179,14 @@ const Robot& SimulationParts::robot(const std::string& name) {
 }
 
 PreparedSimulation prepare_simulation(const SimulationPlan& plan, SimulationParts& parts) {
-  const DividedSettings settings = by_group(plan.settings);
+  DividedSettings settings = by_group(plan.settings);
   const auto& [world_yaml, world, world_files] = parts.world(plan.world, settings.world);
   if (world->paths.empty()) {
     throw InputError("world '" + plan.world + "' has no path to drive; add one to its paths");
   }
   PreparedSimulation prepared{.world = world, .robot = parts.robot(plan.robot)};
   prepared.files = world_files;
+  exchange_sensors(settings.others, prepared.robot);
   merge(prepared.robot.files, prepared.files);
   prepared.path = plan.path.empty() ? world->paths.front() : path_by_name(*world, plan.path);
   Options options{.robot = prepared.robot};
@@ -198,7 +199,12 @@ PreparedSimulation prepare_simulation(const SimulationPlan& plan, SimulationPart
   if (lasers_of(prepared.robot).empty()) {
     throw InputError("robot '" + plan.robot + "' has no laser; add one to its sensors");
   }
-  const std::string driver_name = plan.driver.empty() ? driver_kinds().front().name : plan.driver;
+  const DriveKind drive = prepared.robot.drive.kind;
+  const std::string driver_name = plan.driver.empty() ? usual_driver(drive) : plan.driver;
+  if (!driver_by_name(driver_name).can_drive(drive)) {
+    throw InputError("driver '" + driver_name + "' cannot drive robot '" + plan.robot + "' (" +
+                     name_of(drive) + "); take driver '" + usual_driver(drive) + "'");
+  }
   const Configured<MakeDriver> driver = configure_driver(driver_name, settings.driver);
   prepared.simulation = options.simulation;
   prepared.recorder = options.recorder;
@@ -237,7 +243,7 @@ Recording record(const PreparedSimulation& prepared, std::uint64_t seed, const G
     throw_unless(goes_on);
     take(std::move(reading));
   };
-  recording.is_complete = record(simulation, *driver, options, rng, sink);
+  recording.end = record(simulation, *driver, options, rng, sink);
   return recording;
 }
 

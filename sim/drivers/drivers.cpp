@@ -2,6 +2,8 @@
 
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
+#include "sim/drivers/car_driver.h"
+#include "sim/drivers/omni_driver.h"
 #include "sim/drivers/scripted_driver.h"
 
 namespace mapbed {
@@ -9,8 +11,8 @@ namespace {
 
 // A Kind is made from the simulation, the path and its options.
 template <class Kind, class Options>
-DriverKind kind(const std::string& name, const std::string& about) {
-  return {name, about, [name](const Settings& settings) {
+DriverKind kind(const std::string& name, const std::string& about, bool (*can_drive)(DriveKind)) {
+  return {name, about, can_drive, [name](const Settings& settings) {
             Options options;
             apply(settings, options_of(options), "driver '" + name + "'");
             return Configured<MakeDriver>{
@@ -21,24 +23,49 @@ DriverKind kind(const std::string& name, const std::string& about) {
           }};
 }
 
+bool any(DriveKind /*drive*/) {
+  return true;
+}
+bool turns_on_the_spot(DriveKind drive) {
+  return drive != DriveKind::ackermann;
+}
+bool goes_sideways(DriveKind drive) {
+  return drive == DriveKind::omni;
+}
+
 }  // namespace
 
 const std::vector<DriverKind>& driver_kinds() {
   static const std::vector<DriverKind> kinds = {
       kind<ScriptedDriver, ScriptedDriverOptions>(
-          "scripted", "follows a path as a careful operator would, who sees robot and people"),
+          "scripted", "follows a path as a careful operator would, who sees robot and people",
+          turns_on_the_spot),
+      kind<OmniDriver, OmniDriverOptions>(
+          "omni", "the same on wheels that go in any direction: drives sideways too",
+          goes_sideways),
+      kind<CarDriver, CarDriverOptions>(
+          "car", "the same with a turning circle: plans arcs, backwards where there is no room",
+          any),
   };
   return kinds;
 }
 
-Configured<MakeDriver> configure_driver(const std::string& name, const Settings& settings) {
-  if (name.empty()) return driver_kinds().front().configure(settings);
+const std::string& usual_driver(DriveKind drive) {
+  static const std::string scripted = "scripted", omni = "omni", car = "car";
+  return drive == DriveKind::omni ? omni : drive == DriveKind::ackermann ? car : scripted;
+}
+
+const DriverKind& driver_by_name(const std::string& name) {
   std::vector<std::string> names;
   for (const DriverKind& driver : driver_kinds()) {
-    if (driver.name == name) return driver.configure(settings);
+    if (driver.name == name) return driver;
     names.push_back(driver.name);
   }
   throw InputError("unknown driver " + in_quotes(name) + "; " + suggestion(name, names));
+}
+
+Configured<MakeDriver> configure_driver(const std::string& name, const Settings& settings) {
+  return (name.empty() ? driver_kinds().front() : driver_by_name(name)).configure(settings);
 }
 
 }  // namespace mapbed

@@ -21,13 +21,19 @@ using MakeDriver = std::unique_ptr<Driver>(const Simulation&, const NamedPath&);
 struct DriverKind {
   std::string name;
   std::string about;
+  bool (*can_drive)(DriveKind);
   std::function<Configured<MakeDriver>(const Settings&)> configure;
 };
 
-const std::vector<DriverKind>& driver_kinds();  // the first one drives where nobody says otherwise
+const std::vector<DriverKind>& driver_kinds();
 
-// Throws InputError for an unknown name (with the nearest one) or a wrong setting; an empty name is
-// the first one's.
+// Who drives such a robot where nobody says otherwise.
+const std::string& usual_driver(DriveKind drive);
+
+// Throws InputError for an unknown name (with the nearest one).
+const DriverKind& driver_by_name(const std::string& name);
+
+// Throws InputError for an unknown name or a wrong setting; an empty name is `scripted`.
 Configured<MakeDriver> configure_driver(const std::string& name, const Settings& settings = {});
 
 }  // namespace mapbed

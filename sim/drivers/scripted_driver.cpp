@@ -107,7 +107,11 @@ Vector2d ScriptedDriver::way_round(const Vector2d& to) const {
   return from;
 }
 
-DriveCommand ScriptedDriver::steer(const Vector2d& to, double speed) const {
+double ScriptedDriver::braking_speed() const {
+  return std::sqrt(2.0 * 0.5 * simulation_.robot().drive.acceleration * std::max(0.02, way_left()));
+}
+
+DriveCommand ScriptedDriver::steer(const Vector2d& to, double speed) {
   const Pose2 robot = simulation_.now().robot;
   const Vector2d way = inverse(robot) * to;
   if (way.norm() < 1e-3) return {};
@@ -117,9 +121,7 @@ DriveCommand ScriptedDriver::steer(const Vector2d& to, double speed) const {
   command.turn_velocity = std::clamp(kTurnGain * bearing, -turn_limit, turn_limit);
   // Turns on the spot where the way leads aside, and does not run past the next stop.
   const double facing = std::max(0.0, 1.0 - std::abs(bearing) / radians(60.0));
-  const double braking =
-      std::sqrt(2.0 * 0.5 * simulation_.robot().drive.acceleration * std::max(0.02, way_left()));
-  command.forward_velocity = facing * std::min(speed, braking);
+  command.forward_velocity = facing * std::min(speed, braking_speed());
   return command;
 }
 

@@ -38,18 +38,25 @@ class ScriptedDriver : public Driver {
   void add(const Measurement& /*measurement*/) override {}
   DriveCommand command(double time) override;
   bool is_done() const override { return is_done_; }
+  bool is_resting(double time) const override { return time < pause_until_; }
 
   double longest_time() const override;
+
+ protected:
+  // Towards a point, [m] in the world, no faster than `speed` [m/s].
+  virtual DriveCommand steer(const Eigen::Vector2d& to, double speed);
+  virtual DriveCommand back_up() const;  // away from somebody, as long as that is free
+
+  const Simulation& simulation() const { return simulation_; }
+  bool is_free_of_walls(const Eigen::Vector2d& to) const;
+  bool is_free_of_people(const Eigen::Vector2d& to) const;
+  double braking_speed() const;  // [m/s] from which it can stop at the next pause or the end
 
  private:
   // The point to steer for, on the path `look_ahead` further than the robot has come.
   Eigen::Vector2d target();
-  bool is_free_of_walls(const Eigen::Vector2d& to) const;
-  bool is_free_of_people(const Eigen::Vector2d& to) const;
   Eigen::Vector2d way_round(const Eigen::Vector2d& to) const;
-  DriveCommand steer(const Eigen::Vector2d& to, double speed) const;
   DriveCommand give_way(const Eigen::Vector2d& aim, double time, double speed);
-  DriveCommand back_up() const;
   double way_left() const;  // [m] to the next way-point that is a pause or the end
 
   const Simulation& simulation_;

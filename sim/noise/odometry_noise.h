@@ -14,6 +14,10 @@ namespace mapbed {
 //   d'     = d (1 + distance_bias)     + N(0, distance_per_meter^2 |d|)
 //   beta'  = beta + end_turn_bias (alpha + beta)
 //                 + N(0, end_turn_per_meter^2 |d| + end_turn_per_radian^2 turned)
+// or, with errors of components, of the way (x, y) and the turn:
+//   x' = x (1 + distance_bias) + N(0, distance_per_meter^2 |x|), y' likewise by sideways_...
+//   turned' = turned (1 + end_turn_bias) + N(0, end_turn_per_meter^2 |d| + end_turn_per_radian^2
+//   |turned|)
 // then N(0, translation_sigma^2) on x and y and N(0, rotation_sigma^2) on the turn (Figure 3.10).
 // d is negative where the robot backs up, so that alpha stays small.
 //

@@ -100,6 +100,24 @@ TEST(OdometryNoise, BackingUpKeepsItsDirection) {
   expect_moments(moments({-0.25, 0.0, 0.0}, model, direction_back), 0.0, 0.02 * 0.5);
 }
 
+TEST(OdometryNoise, ComponentsErrEachByTheirOwnWay) {
+  const OdometryModel model{.errors = OdometryErrors::components,
+                            .distance_bias = 0.02,
+                            .distance_per_meter = 0.01,
+                            .end_turn_bias = 0.1,
+                            .end_turn_per_meter = 0.03,
+                            .end_turn_per_radian = 0.04,
+                            .sideways_bias = -0.05,
+                            .sideways_per_meter = 0.04};
+  const auto x = [](const Pose2& m) { return m.x; };
+  const auto y = [](const Pose2& m) { return m.y; };
+  const Pose2 step{0.04, -0.09, 0.2};  // sideways to the right, mostly
+  expect_moments(moments(step, model, x), 0.04 * 1.02, 0.01 * 0.2);
+  expect_moments(moments(step, model, y), -0.09 * 0.95, 0.04 * 0.3);
+  const double sigma = std::sqrt(0.03 * 0.03 * std::hypot(0.04, 0.09) + 0.04 * 0.04 * 0.2);
+  expect_moments(moments(step, model, turn), 0.22, sigma);
+}
+
 TEST(OdometryNoise, TheAddedNoiseIsThatOfEveryReading) {
   const OdometryModel model{.translation_sigma = 0.03, .rotation_sigma = radians(2.0)};
   const auto x = [](const Pose2& m) { return m.x; };

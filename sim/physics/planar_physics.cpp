@@ -24,8 +24,10 @@ b2Vec2 b2(const Eigen::Vector2d& p) {
   return b2(p.x(), p.y());
 }
 
-void add_fixture(b2Body& body, const b2Shape& shape, double density) {
+// `id` is what touched() finds again: an entity's number, or a mover's.
+void add_fixture(b2Body& body, const b2Shape& shape, double density, int id) {
   b2FixtureDef fixture;
+  fixture.userData.pointer = static_cast<std::uintptr_t>(id);
   fixture.shape = &shape;
   fixture.density = static_cast<float>(density);
   fixture.friction = kWallFriction;
@@ -38,7 +40,7 @@ void add_obstacle(b2Body& ground, const Footprint& footprint) {
     b2CircleShape circle;
     circle.m_p = b2(footprint.center);
     circle.m_radius = static_cast<float>(footprint.radius);
-    add_fixture(ground, circle, 0.0);
+    add_fixture(ground, circle, 0.0, footprint.entity);
     return;
   }
   const auto& outline = footprint.outline;
@@ -48,7 +50,7 @@ void add_obstacle(b2Body& ground, const Footprint& footprint) {
     if ((to - from).norm() < 0.01) continue;  // two vertices of Box2D must be 5 mm apart
     b2EdgeShape edge;
     edge.SetTwoSided(b2(from), b2(to));
-    add_fixture(ground, edge, 0.0);
+    add_fixture(ground, edge, 0.0, footprint.entity);
   }
 }
 
@@ -57,12 +59,12 @@ void add_robot_shape(b2Body& body, const Robot& robot) {
   if (f.radius > 0.0) {
     b2CircleShape circle;
     circle.m_radius = static_cast<float>(f.radius);
-    add_fixture(body, circle, robot.mass / (kPi * f.radius * f.radius));
+    add_fixture(body, circle, robot.mass / (kPi * f.radius * f.radius), 0);
     return;
   }
   b2PolygonShape box;
   box.SetAsBox(static_cast<float>(f.length / 2.0), static_cast<float>(f.width / 2.0));
-  add_fixture(body, box, robot.mass / (f.length * f.width));
+  add_fixture(body, box, robot.mass / (f.length * f.width), 0);
 }
 
 // An obstacle that somebody else moves.
@@ -156,13 +158,13 @@ int PlanarPhysics::add(const Obstacle& obstacle) {
   if (obstacle.is_disc()) {
     b2CircleShape circle;
     circle.m_radius = static_cast<float>(obstacle.radius);
-    add_fixture(*body, circle, 0.0);
+    add_fixture(*body, circle, 0.0, id);
   } else {
     b2PolygonShape leaf;
     leaf.SetAsBox(static_cast<float>(obstacle.length / 2.0),
                   static_cast<float>(obstacle.thickness / 2.0), b2(obstacle.length / 2.0, 0.0),
                   0.0F);
-    add_fixture(*body, leaf, 0.0);
+    add_fixture(*body, leaf, 0.0, id);
   }
   state_->movers.push_back({body, obstacle.is_disc(), reach_of(obstacle), pose});
   return id;
@@ -200,11 +202,16 @@ const Wheels& PlanarPhysics::wheels() const {
   return state_->wheels;
 }
 
-bool PlanarPhysics::is_touching() const {
-  for (const b2ContactEdge* c = state_->robot->GetContactList(); c != nullptr; c = c->next) {
-    if (c->contact->IsTouching()) return true;
+std::optional<Touch> PlanarPhysics::touched() const {
+  for (b2ContactEdge* c = state_->robot->GetContactList(); c != nullptr; c = c->next) {
+    if (!c->contact->IsTouching()) continue;
+    b2Fixture* other = c->contact->GetFixtureA();
+    if (other->GetBody() == state_->robot) other = c->contact->GetFixtureB();
+    const int id = static_cast<int>(other->GetUserData().pointer);
+    const bool is_mover = other->GetBody()->GetType() == b2_kinematicBody;
+    return is_mover ? Touch{.mover = id} : Touch{.entity = id};
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace mapbed

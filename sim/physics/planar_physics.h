@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/random.h"
 #include "sim/actors/obstacle.h"
+#include "sim/physics/touch.h"
 #include "sim/physics/wheels.h"
 #include "worlds/world.h"
 
@@ -29,7 +31,8 @@ class PlanarPhysics {
   Pose2 robot() const;  // world_from_robot
   Twist2 robot_velocity() const;
   const Wheels& wheels() const;
-  bool is_touching() const;  // the robot touches something
+  std::optional<Touch> touched() const;  // by the robot, the first of several
+  bool is_touching() const { return touched().has_value(); }
 
  private:
   struct State;

@@ -27,6 +27,11 @@ struct Twist2 {
 // sideways: with half track b and half wheel base a, the moments balance at
 // omega = u b / (a^2 + b^2), as if the track were 2 (a^2 + b^2) / b; that is what its odometry
 // believes. `sideways` differs from one patch of floor to the next.
+//
+// Wheels with rollers (omni) and a car's (ackermann) have surface velocities that go together:
+// those of one motion of the whole body, which the motors and the steering make. A car turns about
+// a point on the line of its rear axle, by v tan(steering) / wheel base; its front wheels are
+// steered as far and as fast as they can be.
 class Wheels {
  public:
   // `rng` draws the wheels' radii and the floor.
@@ -46,6 +51,11 @@ class Wheels {
     double x, y;          // [m] in the body frame
     double radius_error;  // relative
   };
+  void drive_sideways(const DriveCommand& command, double dt);
+  void steer(const DriveCommand& command, double dt);
+  Twist2 rolled_by_rollers() const;
+  Twist2 rolled_by_car() const;
+  Eigen::Vector2d surface_velocity(const Contact& p) const;
   double sideways_friction(const Pose2& world_from_robot) const;
   Twist2 acceleration(const Twist2& body, double sideways) const;
 
@@ -55,6 +65,9 @@ class Wheels {
   Rng floor_;
   std::array<Contact, 4> contacts_{};
   std::size_t contact_count_ = 0;
+  double steering_ = 0.0;       // [rad] as the car believes
+  double steering_zero_ = 0.0;  // [rad] by which it is mistaken
+  Twist2 rolled_;               // of omni and ackermann: what the wheels make of the body's motion
   DriveCommand motors_;
   Pose2 odometry_;
 };

@@ -1,0 +1,177 @@
+#include "sim/drivers/drivers.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "core/geometry/angle.h"
+#include "core/input_error.h"
+#include "core/random.h"
+#include "sim/testing/small_world.h"
+
+namespace mapbed {
+namespace {
+
+using Eigen::Vector2d;
+using ::testing::HasSubstr;
+
+Robot robot_with(DriveKind kind) {
+  Robot robot;
+  robot.name = "small";
+  robot.mass = 10.0;
+  robot.height = 0.3;
+  robot.footprint = {.length = 0.5, .width = 0.3};
+  robot.drive.kind = kind;
+  robot.drive.track = 0.24;
+  robot.drive.wheel_base = 0.32;
+  robot.drive.max_steering = radians(24.0);  // a circle of 0.72 m
+  robot.drive.steering_rate = 2.0;
+  return robot;
+}
+
+// A room with a screen in its middle, and a path around its end that comes back.
+World screened_room() {
+  World world = small_room(7.0, 5.0);
+  world.name = "screened room";
+  world.entities.push_back(block("screen", {3.5, 1.75}, {0.2, 3.5}));
+  world.paths = {
+      {.name = "round", .points = {{{1.2, 1.0}}, {{1.2, 4.2}}, {{5.8, 4.2}}, {{5.8, 1.0}}}},
+      {.name = "back", .points = {{{1.2, 2.5}}, {{2.4, 2.5}}, {{1.2, 2.5}}}}};
+  return world;
+}
+
+// What a drive was like.
+struct Drive {
+  bool is_done = false;
+  double seconds = 0.0;
+  double touching = 0.0;       // [s]
+  double most_turned = 0.0;    // [rad] from the heading of the start
+  double tightest = 0.0;       // [1/m] curvature of the way
+  double backwards = 0.0;      // [m]
+  std::vector<double> missed;  // [m] of each way-point, at the nearest
+};
+
+Drive driven(const World& world, const Robot& robot, const NamedPath& path,
+             const std::string& driver_name, const Settings& settings = {}) {
+  const Rng rng(5);
+  Simulation simulation(world, robot, start_of(path), {}, rng);
+  const auto driver = configure_driver(driver_name, settings).make(simulation, path);
+  Drive drive;
+  drive.missed.assign(path.points.size(), 1e9);
+  const double ahead = robot.drive.kind == DriveKind::ackermann ? robot.drive.wheel_base / 2 : 0.0;
+  Pose2 last = simulation.now().robot;
+  while (!driver->is_done() && simulation.now().time < driver->longest_time()) {
+    simulation.step(driver->command(simulation.now().time));
+    const Pose2 now = simulation.now().robot;
+    const double turned = angle_difference(last.theta, now.theta);
+    const Pose2 axle_motion =
+        motion_between(last * Pose2{-ahead, 0.0, 0.0}, now * Pose2{-ahead, 0.0, 0.0});
+    if (std::abs(axle_motion.x) > 0.001) {
+      drive.tightest = std::max(drive.tightest, std::abs(turned / axle_motion.x));
+    }
+    drive.backwards += std::max(0.0, -axle_motion.x);
+    drive.most_turned =
+        std::max(drive.most_turned, std::abs(angle_difference(start_of(path).theta, now.theta)));
+    drive.touching += simulation.is_touching() ? 0.01 : 0.0;
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      const double distance = (now.position() - path.points[i].position).norm();
+      drive.missed[i] = std::min(drive.missed[i], distance);
+    }
+    last = now;
+  }
+  drive.is_done = driver->is_done();
+  drive.seconds = simulation.now().time;
+  return drive;
+}
+
+TEST(OmniDriver, KeepsItsHeadingAndDrivesSidewaysToTheEnd) {
+  const World world = screened_room();
+  const Drive drive = driven(world, robot_with(DriveKind::omni), world.paths[0], "omni");
+  EXPECT_TRUE(drive.is_done);
+  EXPECT_EQ(drive.touching, 0.0);
+  EXPECT_LT(drive.most_turned, 0.02);
+  // It arrives within 15 cm; corners are cut by no more than the 0.6 m that it looks ahead.
+  EXPECT_LT(drive.missed.back(), 0.16);
+  for (const double missed : drive.missed) EXPECT_LT(missed, 0.45);
+}
+
+TEST(OmniDriver, FacesItsWayWhereItIsToldTo) {
+  const World world = screened_room();
+  const Drive drive = driven(world, robot_with(DriveKind::omni), world.paths[0], "omni",
+                             {parse_setting("faces_way=true")});
+  EXPECT_TRUE(drive.is_done);
+  EXPECT_EQ(drive.touching, 0.0);
+  EXPECT_NEAR(drive.most_turned, kPi, 0.3);  // from north to south
+}
+
+TEST(CarDriver, KeepsToItsTurningCircleAndOffTheWalls) {
+  const World world = screened_room();
+  const Robot car = robot_with(DriveKind::ackermann);
+  const Drive drive = driven(world, car, world.paths[0], "car");
+  EXPECT_TRUE(drive.is_done);
+  EXPECT_EQ(drive.touching, 0.0);
+  EXPECT_LT(drive.tightest, 1.05 / car.drive.turning_radius());
+  for (const double missed : drive.missed) EXPECT_LT(missed, 0.3);
+}
+
+TEST(CarDriver, BacksUpWhereThereIsNoRoomToTurn) {
+  const World world = screened_room();
+  const Robot car = robot_with(DriveKind::ackermann);
+  const Drive drive = driven(world, car, world.paths[1], "car");  // 3.4 m wide, there and back
+  EXPECT_TRUE(drive.is_done);
+  EXPECT_EQ(drive.touching, 0.0);
+  EXPECT_GT(drive.backwards, 0.3);
+  EXPECT_LT(drive.missed[1], 0.3);
+}
+
+TEST(CarDriver, APathThatItsTurningCircleDoesNotAllowIsRefused) {
+  World world = small_room(7.0, 5.0);
+  world.entities.push_back(block("south", {3.5, 1.1}, {0.2, 2.2}));
+  world.entities.push_back(block("north", {3.5, 3.775}, {0.2, 2.45}));  // a gap of 35 cm
+  const NamedPath path{.name = "through", .points = {{{1.5, 2.375}}, {{5.5, 2.375}}}};
+  try {
+    driven(world, robot_with(DriveKind::ackermann), path, "car");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("robot 'small' finds no way along path 'through' to "
+                                        "(5.50 m, 2.38 m) that its turning circle of 0.79 m"));
+  }
+}
+
+TEST(CarDriver, ARobotThatTurnsOnTheSpotFollowsItsArcsToo) {
+  const World world = screened_room();
+  const Drive drive = driven(world, robot_with(DriveKind::differential), world.paths[0], "car");
+  EXPECT_TRUE(drive.is_done);
+  EXPECT_EQ(drive.touching, 0.0);
+}
+
+TEST(CarDriver, WaitsForSomebodyAndPlansAroundHim) {
+  World world = small_room(9.0, 5.0);
+  world.paths = {{.name = "along", .points = {{{1.0, 2.5}}, {{8.0, 2.5}}}}};
+  world.crowd.places = {{.position = {4.5, 2.5}, .radius = 0.01}};
+  const Rng rng(3);
+  Simulation simulation(world, robot_with(DriveKind::ackermann), start_of(world.paths[0]),
+                        {.actors = {.people = {.standing = 1}}}, rng);
+  const auto driver = configure_driver("car").make(simulation, world.paths[0]);
+  double least = 1e9;
+  while (!driver->is_done() && simulation.now().time < 90.0) {
+    simulation.step(driver->command(simulation.now().time));
+    least = std::min(least, (simulation.now().robot.position() - Vector2d(4.5, 2.5)).norm());
+    ASSERT_FALSE(simulation.is_touching());
+  }
+  EXPECT_TRUE(driver->is_done());
+  EXPECT_LT(least, 2.0);  // it went past
+}
+
+TEST(Drivers, EachDriveHasAUsualDriverThatCanDriveIt) {
+  for (const DriveKind kind : {DriveKind::synchro, DriveKind::differential, DriveKind::skid_steer,
+                               DriveKind::omni, DriveKind::ackermann}) {
+    EXPECT_TRUE(driver_by_name(usual_driver(kind)).can_drive(kind));
+  }
+  EXPECT_FALSE(driver_by_name("scripted").can_drive(DriveKind::ackermann));
+  EXPECT_FALSE(driver_by_name("omni").can_drive(DriveKind::synchro));
+}
+
+}  // namespace
+}  // namespace mapbed
