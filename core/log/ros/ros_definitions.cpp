@@ -63,10 +63,10 @@ constexpr std::string_view kScanGeometry =
 std::string fields_of(std::string_view name, RosEncoding encoding) {
   static const std::map<std::string_view, std::string> fields{
       {"sensor_msgs/LaserScan",
-       std::string(kScanGeometry) + "float32[] ranges\nfloat32[] intensities\n"},
-      {"sensor_msgs/MultiEchoLaserScan", std::string(kScanGeometry) +
-                                             "sensor_msgs/LaserEcho[] ranges\n"
-                                             "sensor_msgs/LaserEcho[] intensities\n"},
+       fmt::format("{}float32[] ranges\nfloat32[] intensities\n", kScanGeometry)},
+      {"sensor_msgs/MultiEchoLaserScan",
+       fmt::format("{}sensor_msgs/LaserEcho[] ranges\nsensor_msgs/LaserEcho[] intensities\n",
+                   kScanGeometry)},
       {"sensor_msgs/LaserEcho", "float32[] echoes\n"},
       {"nav_msgs/Odometry",
        "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\n"
