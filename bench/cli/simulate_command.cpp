@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -74,21 +73,18 @@ SimulationToRun simulation_of(const SimulateArguments& a) {
 }
 
 // As named, or else by the ending of the log.
-LogFormat format_of(const SimulateArguments& a) {
-  const std::vector<std::string>& names = log_format_names();
-  const auto named = std::find(names.begin(), names.end(), a.format);
-  if (named == names.end()) return log_format_of(a.log);
-  return static_cast<LogFormat>(named - names.begin());
+const LogFormat& format_of(const SimulateArguments& a) {
+  return a.format.empty() ? log_format_of_path(a.log) : log_format_by_name(a.format);
 }
 
-void check_output(const std::string& log, LogFormat format) {
+void check_output(const std::string& log, const LogFormat& format) {
   // Of a folder that is not there yet: whether something of that name can be made.
-  if (format != LogFormat::ros2 || !std::filesystem::is_directory(log)) check_writable(log);
+  if (!format.is_folder || !std::filesystem::is_directory(log)) check_writable(log);
   refuse_foreign_simulation_files(log, format);
 }
 
 int simulate(const SimulateArguments& arguments) {
-  const LogFormat format = format_of(arguments);
+  const LogFormat& format = format_of(arguments);
   check_output(arguments.log, format);
   const SimulationToRun to_run =
       while_told("building the world", [&] { return simulation_of(arguments); });
@@ -141,8 +137,8 @@ Command simulate_command() {
                        "faults.…=value; of a scenario that sweeps one, its value"},
                       {.name = "--format",
                        .target = &a->format,
-                       .help = "of the log; else by its ending, as .bag, .mcap; ros2: a folder",
-                       .check = log_format_names()},
+                       .help = "of the log: ros1, ros2 (a folder), mcap, … as 'mapbed list "
+                               "formats' shows; by its ending where left out, as .bag, .mcap"},
                       {.name = "-o,--out",
                        .target = &a->log,
                        .help = "the log to write; .gz: a compressed CARMEN log",

@@ -13,6 +13,8 @@
 #include "core/file/text_file.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/map_server.h"
+#include "core/log/bags/bag_writer.h"
+#include "core/log/log_file.h"
 #include "sim/noise/sensor_noise.h"
 #include "sim/relations.h"
 #include "sim/truth/truth_file.h"
@@ -80,7 +82,7 @@ Robot without_noise(Robot robot, const RecorderOptions& recorder) {
 // "dir/name.log.gz" -> "dir/name"
 std::string stem_of(std::string path) {
   while (path.size() > 1 && path.ends_with('/')) path.pop_back();  // of a bag of ROS 2
-  for (const char* ending : {".gz", ".log", ".clf", ".bag", ".mcap"}) {
+  for (const char* ending : {".gz", ".log", ".clf", ".rawlog", ".bag", ".mcap"}) {
     if (path.ends_with(ending)) path.resize(path.size() - std::string(ending).size());
   }
   return path;
@@ -145,13 +147,20 @@ bool is_of_simulation(const std::string& path) {
   }
 }
 
+// The log itself, or what is written into its folder.
+std::vector<std::string> files_of(const std::string& log_path, const LogFormat& format) {
+  if (!format.is_folder) return {log_path};
+  const auto files = files_of_rosbag2(log_path);
+  return {files.begin(), files.end()};
+}
+
 // What else is in the folder of a bag would be taken for a part of it.
 void refuse_foreign_folder(const std::string& folder, bool is_ours) {
   if (!std::filesystem::exists(folder)) return;
   if (!std::filesystem::is_directory(folder)) {
     throw InputError({folder}, "is a file, and bags of ROS 2 are folders", "name a folder");
   }
-  const std::vector<std::string> files = files_of_log(folder, LogFormat::ros2);
+  const auto files = files_of_rosbag2(folder);
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const bool is_coming =
         std::find(files.begin(), files.end(), entry.path().string()) != files.end();
@@ -263,11 +272,11 @@ SimulationResult run_simulation(PreparedSimulation simulation, std::uint64_t see
 }
 
 void write_simulation(const std::string& log_path, const SimulationResult& result,
-                      LogFormat format) {
+                      const LogFormat& format) {
   const Trajectory truth = trajectory_of(result.recording.truth);
   if (!is_special_file(log_path)) {  // else nothing stands beside it
     // Behind a link, which stays.
-    for (const std::string& file : files_of_log(log_path, format)) {
+    for (const std::string& file : files_of(log_path, format)) {
       if (std::filesystem::exists(file)) {
         std::filesystem::remove(std::filesystem::canonical(file));
       }
@@ -278,14 +287,14 @@ void write_simulation(const std::string& log_path, const SimulationResult& resul
   log.format = "CARMEN";
   log.measurements = result.log;
   log.true_poses = truth;
-  write_log(log_path, log, format);
+  format.write(log_path, log);
 }
 
-void refuse_foreign_simulation_files(const std::string& log_path, LogFormat format) {
+void refuse_foreign_simulation_files(const std::string& log_path, const LogFormat& format) {
   if (is_special_file(log_path)) return;
   const std::filesystem::path stem = stem_of(log_path);
   const bool is_ours = is_of_simulation(stem.string() + kConfig);
-  if (format == LogFormat::ros2) refuse_foreign_folder(log_path, is_ours);
+  if (format.is_folder) refuse_foreign_folder(log_path, is_ours);
   std::vector<std::string> coming;
   for (const char* ending : kBeside) coming.push_back(stem.filename().string() + ending);
   refuse_foreign(stem.parent_path().string(), coming,

@@ -9,7 +9,7 @@
 #include "core/config/configured.h"
 #include "core/config/settings.h"
 #include "core/interrupted.h"
-#include "core/log/log_writer.h"
+#include "core/log/log_formats.h"
 #include "core/log/sensor_log.h"
 #include "sim/drivers/drivers.h"
 #include "sim/recorder.h"
@@ -84,11 +84,11 @@ SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed);
 // one), name.tum (true poses), name_map.pgm and .yaml (true map at the first laser's height),
 // name.config.yaml. LOG comes last: while there is none, what stands beside belongs to nothing.
 void write_simulation(const std::string& log_path, const SimulationResult& result,
-                      LogFormat format = LogFormat::carmen);
+                      const LogFormat& format = log_formats().front());
 
 // Throws InputError where one of those beside it would take the place of somebody else's file; LOG
 // itself is replaced whatever it is, but for a folder that a simulation did not write.
 void refuse_foreign_simulation_files(const std::string& log_path,
-                                     LogFormat format = LogFormat::carmen);
+                                     const LogFormat& format = log_formats().front());
 
 }  // namespace mapbed

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/config/suggestion.h"
+#include "core/log/bags/bag_writer.h"
 #include "core/log/dialects/carmen_log.h"
 #include "core/log/dialects/rawlog.h"
 
@@ -17,6 +18,9 @@ std::span<const LogFormat> log_formats() {
          write_carmen_log(path, log, CarmenDialect::flaser);
        }},
       {"rawlog", ".rawlog", "MRPT: an action and a sensory frame for each scan", write_rawlog},
+      {"ros1", ".bag", "bag of ROS 1: LaserScan, Odometry, tf", write_rosbag1},
+      {"ros2", "", "bag of ROS 2, a folder: the same, in SQLite", write_rosbag2, true},
+      {"mcap", ".mcap", "MCAP: the same, as ROS 2 and Foxglove read it", write_mcap},
   };
   return table;
 }
@@ -28,6 +32,12 @@ const LogFormat& log_format_by_name(const std::string& name, const SourceLocatio
     names.emplace_back(format.name);
   }
   throw InputError(place, "unknown format of logs " + in_quotes(name), suggestion(name, names));
+}
+
+const LogFormat& log_format_of_path(const std::string& path) {
+  for (const LogFormat& format : log_formats())
+    if (!format.is_folder && path.ends_with(format.extension)) return format;
+  return log_formats().front();
 }
 
 }  // namespace mapbed

@@ -15,11 +15,15 @@ struct LogFormat {
   const char* extension = "";  // ".log", of its files
   const char* about = "";
   void (*write)(const std::string& path, const RecordedLog& log) = nullptr;
+  bool is_folder = false;
 };
 
 std::span<const LogFormat> log_formats();
 
 // Throws InputError for an unknown name, which stands at `place`, with the nearest one.
 const LogFormat& log_format_by_name(const std::string& name, const SourceLocation& place = {});
+
+// That of files with such an ending; CARMEN's for all others.
+const LogFormat& log_format_of_path(const std::string& path);
 
 }  // namespace mapbed

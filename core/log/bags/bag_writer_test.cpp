@@ -1,6 +1,6 @@
 // A log that is written as a bag is read back from it, whichever kind of bag that is.
 
-#include "core/log/log_writer.h"
+#include "core/log/bags/bag_writer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,7 @@
 #include "core/config/config_node.h"
 #include "core/file/text_file.h"
 #include "core/log/dialects/carmen_log.h"
+#include "core/log/log_formats.h"
 #include "core/testing/example_log.h"
 #include "core/testing/is_near.h"
 #include "core/testing/temporary_folder.h"
@@ -43,11 +44,11 @@ RecordedLog short_log() {
   return log;
 }
 
-class WrittenLog : public ::testing::TestWithParam<LogFormat> {
+class WrittenLog : public ::testing::TestWithParam<const char*> {
  protected:
   RecordedLog written_and_read(const RecordedLog& log, const LogOptions& options = {}) const {
     const std::string path = folder_.file("drive");
-    write_log(path, log, GetParam());
+    log_format_by_name(GetParam()).write(path, log);
     return load_log(path, options);
   }
 
@@ -83,7 +84,7 @@ TEST_P(WrittenLog, IsReadBackButForTheRoundingToFloats) {
 TEST_P(WrittenLog, OfAWholeTourHasTheSameReadingsInEveryKindOfBag) {
   const RecordedLog log = written_and_read(example_log());
   const std::string other = folder_.file("other.bag");
-  write_log(other, example_log(), LogFormat::ros1);
+  write_rosbag1(other, example_log());
   EXPECT_TRUE(carmen_text(log) == carmen_text(load_log(other)));
 }
 
@@ -108,30 +109,22 @@ TEST_P(WrittenLog, WithATiltedLaserKeepsItsMount) {
   EXPECT_NEAR(std::get<LaserScan>(read.measurements[1]).robot_from_laser.pitch, 0.25, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bags, WrittenLog,
-                         ::testing::Values(LogFormat::ros1, LogFormat::ros2, LogFormat::mcap));
+INSTANTIATE_TEST_SUITE_P(Bags, WrittenLog, ::testing::Values("ros1", "ros2", "mcap"));
 
-TEST(LogWriter, TellsTheFormatByTheEnding) {
-  EXPECT_EQ(log_format_of("a.bag"), LogFormat::ros1);
-  EXPECT_EQ(log_format_of("a.mcap"), LogFormat::mcap);
-  EXPECT_EQ(log_format_of("a.log.gz"), LogFormat::carmen);
-}
-
-TEST(LogWriter, ABagThatCannotSayAMountOrAStampIsRefused) {
+TEST(BagWriter, ABagThatCannotSayAMountOrAStampIsRefused) {
   const TemporaryFolder folder;
   RecordedLog log = short_log();
   std::get<LaserScan>(log.measurements.back()).robot_from_laser.z = 2.0;
-  EXPECT_INPUT_ERROR(write_log(folder.file("a.bag"), log, LogFormat::ros1),
+  EXPECT_INPUT_ERROR(write_rosbag1(folder.file("a.bag"), log),
                      "a bag cannot say that the mount of a laser changes");
   RecordedLog early = short_log();
   std::get<Odometry>(early.measurements.front()).time = -1.0;
-  EXPECT_INPUT_ERROR(write_log(folder.file("a.mcap"), early, LogFormat::mcap),
-                     "a bag has no stamp such as -1 s");
+  EXPECT_INPUT_ERROR(write_mcap(folder.file("a.mcap"), early), "a bag has no stamp such as -1 s");
 }
 
-TEST(LogWriter, TheFolderOfABagOfRos2HasTheMetadataThatItsReadersAskFor) {
+TEST(BagWriter, TheFolderOfABagOfRos2HasTheMetadataThatItsReadersAskFor) {
   const TemporaryFolder folder;
-  write_log(folder.file("drive"), short_log(), LogFormat::ros2);
+  write_rosbag2(folder.file("drive"), short_log());
   const ConfigNode yaml = load_config(folder.file("drive/metadata.yaml"));
   const ConfigNode& about = yaml.at("rosbag2_bagfile_information");
   EXPECT_EQ(about.at("storage_identifier").text(), "sqlite3");
