@@ -21,16 +21,18 @@ std::vector<Measurement> OdometryAtScans::add(Measurement measurement) {
   if (const auto* reading = std::get_if<Odometry>(&measurement)) return released_by(*reading);
   const double time = time_of(measurement);
   std::vector<Measurement> out;
-  if (!waiting_.empty() && time - time_of(waiting_.front()) > kLongest) out = finish();
-  const bool waits = before_ && before_->time < time && time - before_->time <= kLongest;
-  (waits || !waiting_.empty() ? waiting_ : out).push_back(std::move(measurement));
+  if (!waiting_.empty() && time - time_of(waiting_.front()) > kLongest) {
+    out = finish();
+    is_out_ = true;
+  }
+  const bool waits = before_ && before_->time < time && !is_out_;
+  (waits ? waiting_ : out).push_back(std::move(measurement));
   return out;
 }
 
 // The scans that waited for this reading, and the reading.
 std::vector<Measurement> OdometryAtScans::released_by(const Odometry& reading) {
-  const bool bridges =
-      before_ && reading.time - before_->time <= kLongest && !reading.motion_unknown;
+  const bool bridges = before_ && !is_out_ && !reading.motion_unknown;
   std::vector<Measurement> before, after;
   for (Measurement& scan : finish()) {
     const double time = time_of(scan);
@@ -38,6 +40,7 @@ std::vector<Measurement> OdometryAtScans::released_by(const Odometry& reading) {
     (time < reading.time ? before : after).push_back(std::move(scan));
   }
   before_ = reading;
+  is_out_ = false;
   before.emplace_back(reading);
   before.insert(before.end(), std::make_move_iterator(after.begin()),
                 std::make_move_iterator(after.end()));

@@ -58,9 +58,18 @@ TEST(OdometryAtScans, OfSeveralScansIsOneForEach) {
       ElementsAre("o0.00@1.00", "o0.20@1.20", "s1.20", "o0.40@1.40", "s1.40", "o1.00@2.00"));
 }
 
-TEST(OdometryAtScans, IsNotMadeUpAcrossAGapOrAnUnknownMotion) {
-  EXPECT_THAT(through({odometry(1.0, 0.0), scan(1.2), odometry(9.0, 1.0)}),
-              ElementsAre("o0.00@1.00", "s1.20", "o1.00@9.00"));
+TEST(OdometryAtScans, MayBeFarApartWhereScansAre) {
+  EXPECT_THAT(through({odometry(1.0, 0.0), scan(5.0), odometry(6.0, 1.0), scan(10.0), scan(10.1),
+                       odometry(11.0, 2.0)}),
+              ElementsAre("o0.00@1.00", "o0.80@5.00", "s5.00", "o1.00@6.00", "o1.80@10.00",
+                          "s10.00", "o1.82@10.10", "s10.10", "o2.00@11.00"));
+}
+
+TEST(OdometryAtScans, IsNotMadeUpWhereItWasOutOrTheMotionIsUnknown) {
+  EXPECT_THAT(through({odometry(1.0, 0.0), scan(1.2), scan(2.2), scan(3.2), odometry(3.5, 1.0),
+                       scan(4.0), odometry(4.5, 2.0)}),
+              ElementsAre("o0.00@1.00", "s1.20", "s2.20", "s3.20", "o1.00@3.50", "o1.50@4.00",
+                          "s4.00", "o2.00@4.50"));
   EXPECT_THAT(through({odometry(1.0, 0.0), scan(1.2), odometry(1.5, 1.0, true)}),
               ElementsAre("o0.00@1.00", "s1.20", "o1.00@1.50"));
 }
