@@ -76,14 +76,20 @@ class EvidenceMap {
     }
     for_each_beam(scan, map_from_robot, limits_, [&](std::size_t n, const Beam& beam) {
       if (scan.is_max_range(n)) return;
+      const auto pass = [&](CellIndex index) {
+        Evidence& cell = writer.at(index);
+        if (cell.last_surface != number) count(cell.passes, cell.last_pass, number);
+      };
       const double grazing = beam.hit ? grazing_length(scan, n, cells_.resolution()) : 0.0;
+      if (grazing == 0.0) {
+        traverse(beam.start, beam.end, cells_.frame(), [&](CellIndex c, double) { pass(c); });
+        return;
+      }
       const double most = (beam.end - beam.start).norm() - grazing;
       double done = 0.0;
       traverse(beam.start, beam.end, cells_.frame(), [&](CellIndex index, double length) {
         done += length;
-        if (done > most) return;
-        Evidence& cell = writer.at(index);
-        if (cell.last_surface != number) count(cell.passes, cell.last_pass, number);
+        if (done <= most) pass(index);
       });
     });
   }
@@ -91,6 +97,7 @@ class EvidenceMap {
   // What beams without return cleared, after all scans are in.
   void clear_without_return(const LaserScan& scan, const Pose2& map_from_robot,
                             std::uint32_t number) {
+    if (scan.max_range > limits_.no_return_range) return;  // they say nothing
     TiledGrid<Evidence>::Writer writer(cells_);
     for_each_beam(scan, map_from_robot, limits_, [&](std::size_t n, const Beam& beam) {
       if (!scan.is_max_range(n)) return;
