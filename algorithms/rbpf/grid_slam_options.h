@@ -8,6 +8,7 @@
 #include "algorithms/rbpf/loop_closing.h"
 #include "algorithms/rbpf/proposal.h"
 #include "algorithms/refinement/trajectory_refinement.h"
+#include "algorithms/scan/beam.h"
 #include "algorithms/scan/hit_points.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
 #include "core/config/option.h"
@@ -31,7 +32,9 @@ struct GridSlamOptions {
                                      .translation_per_rotation = 0.02,
                                      .least_rotation_sigma = 0.004,
                                      .least_translation_sigma = 0.005};
-  IncrementalMatcherOptions matcher{.points = {.max_range = 80.0}, .local_map = {.max_scans = 40}};
+  // It sees as far as maps do.
+  IncrementalMatcherOptions matcher{.points = {.max_range = BeamLimits{}.usable_range},
+                                    .local_map = {.max_scans = 40}};
   bool best_only_after_loop = false;
   LoopClosingOptions loop_closing;
   RefinementOptions refinement;

@@ -55,6 +55,25 @@ std::vector<Eigen::Vector2d> doubled_directions(const std::vector<Eigen::Vector2
   return result;
 }
 
+// visit(hits, number of the first one's beam) for hits that follow each other near enough for a
+// line.
+template <class Visitor>
+void for_each_run(const LaserScan& scan, double max_range, double max_gap, Visitor&& visit) {
+  std::vector<Eigen::Vector2d> run;
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    const double range = scan.ranges[beam];
+    const bool is_hit = scan.is_hit(beam) && range < max_range;
+    const Eigen::Vector2d point = is_hit ? scan.point_on(beam, range) : Eigen::Vector2d::Zero();
+    const double reach = std::max(max_gap, kMaxArcs * range * std::abs(scan.bearing_step));
+    if (!run.empty() && (!is_hit || (point - run.back()).norm() > reach)) {
+      visit(run, beam - run.size());
+      run.clear();
+    }
+    if (is_hit) run.push_back(point);
+  }
+  if (!run.empty()) visit(run, scan.ranges.size() - run.size());
+}
+
 // Whether the lines through a hit and the one before it both lie along the way between them.
 bool are_of_one_wall(const std::vector<Eigen::Vector2d>& run,
                      const std::vector<Eigen::Vector2d>& lines, std::size_t i) {
@@ -95,8 +114,7 @@ std::vector<SurfacePoint> surface_points(const LaserScan& scan, double max_range
   CHECK(spacing > 0.0);
   std::vector<SurfacePoint> points;
   points.reserve(2 * scan.ranges.size());
-  std::vector<Eigen::Vector2d> run;  // hits that follow each other near enough for a line
-  const auto finish_run = [&] {
+  for_each_run(scan, max_range, max_gap, [&](const std::vector<Eigen::Vector2d>& run, std::size_t) {
     const std::vector<Eigen::Vector2d> lines = doubled_directions(run, max_gap);
     for (std::size_t i = 0; i < run.size(); ++i) {
       const double gap = i > 0 ? (run[i] - run[i - 1]).norm() : 0.0;
@@ -108,21 +126,19 @@ std::vector<SurfacePoint> surface_points(const LaserScan& scan, double max_range
       }
       points.push_back({run[i], lines[i]});
     }
-    run.clear();
-  };
-  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
-    const double range = scan.ranges[beam];
-    if (!scan.is_hit(beam) || range >= max_range) {
-      finish_run();
-      continue;
-    }
-    const Eigen::Vector2d point = scan.point_on(beam, range);
-    const double reach = std::max(max_gap, kMaxArcs * range * std::abs(scan.bearing_step));
-    if (!run.empty() && (point - run.back()).norm() > reach) finish_run();
-    run.push_back(point);
-  }
-  finish_run();
+  });
   return points;
+}
+
+std::vector<Eigen::Vector2d> lines_at_beams(const LaserScan& scan, double max_range,
+                                            double max_gap) {
+  std::vector<Eigen::Vector2d> doubled(scan.ranges.size(), Eigen::Vector2d::Zero());
+  for_each_run(
+      scan, max_range, max_gap, [&](const std::vector<Eigen::Vector2d>& run, std::size_t first) {
+        const std::vector<Eigen::Vector2d> lines = doubled_directions(run, max_gap);
+        std::copy(lines.begin(), lines.end(), doubled.begin() + static_cast<std::ptrdiff_t>(first));
+      });
+  return doubled;
 }
 
 }  // namespace mapbed

@@ -30,4 +30,9 @@ std::vector<SurfacePoint> transformed(const std::vector<SurfacePoint>& points_in
 std::vector<SurfacePoint> surface_points(const LaserScan& scan, double max_range, double max_gap,
                                          double spacing);
 
+// For each beam of a scan the line through the hits about its end, by its direction at twice the
+// angle in the robot frame; zero where there is none.
+std::vector<Eigen::Vector2d> lines_at_beams(const LaserScan& scan, double max_range,
+                                            double max_gap);
+
 }  // namespace mapbed

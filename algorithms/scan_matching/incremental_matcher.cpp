@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include "algorithms/scan/beam_weights.h"
+#include "algorithms/scan/footprint_weights.h"
 #include "algorithms/scan_matching/match_covariance.h"
 #include "core/check.h"
 #include "core/geometry/angle.h"
@@ -105,14 +106,21 @@ std::vector<IncrementalMatcher::OtherPrediction> IncrementalMatcher::other_predi
 
 ScanMatch IncrementalMatcher::match(const LaserScan& scan, std::span<const float> beam_weights) {
   if (trajectory_.empty()) return {.map_from_robot = map_from_robot_};
-  const Hits hits{hit_points(scan, options_.points),
-                  hit_point_weights(scan, options_.points, beam_weights),
-                  scan.robot_from_laser.planar};
+  const Hits hits = hits_of(scan, beam_weights);
   ScanMatch match = matched(hits, predicted(scan.time));
   const std::vector<OtherPrediction> others =
       other_predictions(scan.time, match.inlier_ratio < options_.search_below);
   if (!others.empty()) match = best_of(hits, match, others);
   return match;
+}
+
+IncrementalMatcher::Hits IncrementalMatcher::hits_of(const LaserScan& scan,
+                                                     std::span<const float> beam_weights) const {
+  const HitPointOptions& points = options_.points;
+  const std::vector<float> footprints =
+      footprint_weights(scan, points.max_range, options_.local_map.max_gap, options_.field.sigma);
+  return {hit_points(scan, points), hit_point_weights(scan, points, beam_weights),
+          hit_point_weights(scan, points, footprints), scan.robot_from_laser.planar};
 }
 
 // Beams err together, so that another place must explain clearly more of the scan than the one
@@ -147,8 +155,7 @@ std::optional<double> IncrementalMatcher::sigma_of(const LaserScan& scan) const 
   const bool blind = !odometry_at(scan.time) || !odometry_at_last_scan_;
   if (!blind || !last_match_.trustworthy) return {};
   const Pose2& pose = last_match_.map_from_robot;
-  const FieldPoints points =
-      known_points({hit_points(scan, options_.points), {}, scan.robot_from_laser.planar}, pose);
+  const FieldPoints points = known_points(hits_of(scan, {}), pose).climbed;
   const Eigen::Matrix3d covariance =
       match_covariance(pose, points, local_scans_.field(), {.mean = pose});
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
@@ -209,27 +216,29 @@ ScanMatch IncrementalMatcher::matched_near(const Hits& hits, const Prediction& p
   if (options_.alignment == Alignment::icp) {
     return match_icp(hits.points, local_scans_.icp_map(), prior, options_.icp, hits.weights);
   }
-  const FieldPoints points = known_points(hits, prior.mean);
-  if (points.size() < kMinPoints) return none;
+  const KnownPoints points = known_points(hits, prior.mean);
+  if (points.climbed.size() < kMinPoints) return none;
   const ScanMatch match = climbed(points, prediction);
-  if (!match.trustworthy || points.size() == hits.points.size()) return match;
-  return finer_across(match, points_on_lines(hits, match.map_from_robot), local_scans_.field(),
-                      prior, options_.climb);
+  if (!match.trustworthy || points.climbed.size() == hits.points.size()) return match;
+  return finer_across(match, points_on_lines(hits, match.map_from_robot).climbed,
+                      local_scans_.field(), prior, options_.climb);
 }
 
 // Uphill from the prediction, and from the best place of a search where that does not convince.
-ScanMatch IncrementalMatcher::climbed(const FieldPoints& points, const Prediction& prediction) {
+ScanMatch IncrementalMatcher::climbed(const KnownPoints& known, const Prediction& prediction) {
   const PosePrior& prior = prediction.prior;
   const LikelihoodField& field = local_scans_.field();
+  const FieldPoints& points = known.climbed;
   ScanMatch match;
   if (options_.alignment == Alignment::hill_climbing) {
     match = match_scan(points, field, prior, options_.climb);
     const bool convincing = match.trustworthy && match.inlier_ratio >= options_.search_below;
     if (convincing && !prediction.blind) return match;
   }
-  const Pose2 start = match_correlative(points, field, local_scans_.pyramid(options_.search.window),
-                                        prior, options_.search)
-                          .map_from_robot;
+  const Pose2 start =
+      match_correlative(known.searched(), field, local_scans_.pyramid(options_.search.window),
+                        prior, options_.search)
+          .map_from_robot;
   const ScanMatch searched = match_scan_from(start, points, field, prior, options_.climb);
   // Beams err together, so a slightly better sum is no reason to leave the optimum next to where
   // odometry has the robot.
@@ -240,12 +249,14 @@ ScanMatch IncrementalMatcher::climbed(const FieldPoints& points, const Predictio
   return match;
 }
 
-FieldPoints IncrementalMatcher::known_points(const Hits& hits, const Pose2& predicted) const {
+IncrementalMatcher::KnownPoints IncrementalMatcher::known_points(const Hits& hits,
+                                                                 const Pose2& predicted) const {
   return kept(hits, local_scans_.known(hits.points, hits.robot_from_laser, predicted));
 }
 
 // Hits that say something, and those that lie on the line of a surface beyond its end.
-FieldPoints IncrementalMatcher::points_on_lines(const Hits& hits, const Pose2& pose) const {
+IncrementalMatcher::KnownPoints IncrementalMatcher::points_on_lines(const Hits& hits,
+                                                                    const Pose2& pose) const {
   std::vector<bool> keeps = local_scans_.known(hits.points, hits.robot_from_laser, pose);
   for (std::size_t i = 0; i < hits.points.size(); ++i) {
     if (keeps[i]) continue;
@@ -255,27 +266,35 @@ FieldPoints IncrementalMatcher::points_on_lines(const Hits& hits, const Pose2& p
   return kept(hits, keeps);
 }
 
-FieldPoints IncrementalMatcher::kept(const Hits& hits, const std::vector<bool>& keeps) const {
+IncrementalMatcher::KnownPoints IncrementalMatcher::kept(const Hits& hits,
+                                                         const std::vector<bool>& keeps) const {
   std::vector<Eigen::Vector2d> points;
-  std::vector<float> weights;
+  std::vector<float> weights, searched;
   for (std::size_t i = 0; i < hits.points.size(); ++i) {
     if (!keeps[i]) continue;
     points.push_back(hits.points[i]);
-    if (!hits.weights.empty()) weights.push_back(hits.weights[i]);
+    weights.push_back(hits.footprints[i] * (hits.weights.empty() ? 1.0F : hits.weights[i]));
+    if (!hits.weights.empty()) searched.push_back(hits.weights[i]);
   }
-  return to_field_points(points, local_scans_.field().resolution(), std::move(weights));
+  return {to_field_points(points, local_scans_.field().resolution(), std::move(weights)),
+          std::move(searched)};
+}
+
+FieldPoints IncrementalMatcher::KnownPoints::searched() const {
+  return {climbed.x, climbed.y, weights};
 }
 
 // The best match of the wider search if it explains enough, else `match`.
 ScanMatch IncrementalMatcher::searched_widely(const Hits& hits, const Prediction& prediction,
                                               const ScanMatch& match) const {
   const LikelihoodField& field = local_scans_.field();
-  const FieldPoints points = known_points(hits, prediction.prior.mean);
+  const KnownPoints points = known_points(hits, prediction.prior.mean);
   const PosePrior anywhere{.mean = match.map_from_robot};
   const BoundPyramid wide = make_bound_pyramid(field, options_.wide_search.window);
-  const ScanMatch found = match_correlative(points, field, wide, anywhere, options_.wide_search);
+  const ScanMatch found =
+      match_correlative(points.searched(), field, wide, anywhere, options_.wide_search);
   ScanMatch refined =
-      match_scan_from(found.map_from_robot, points, field, anywhere, options_.climb);
+      match_scan_from(found.map_from_robot, points.climbed, field, anywhere, options_.climb);
   refined.contradicts_prediction = true;
   return refined.inlier_ratio >= options_.wide_search.min_inlier_ratio ? refined : match;
 }

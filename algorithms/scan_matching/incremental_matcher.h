@@ -60,9 +60,18 @@ class IncrementalMatcher : public Estimator {
   // A scan as it is matched.
   struct Hits {
     std::vector<Eigen::Vector2d> points;  // [m] in the robot frame
-    std::vector<float> weights;           // empty: all count fully
+    std::vector<float> weights;           // of beams, as told; empty: all count fully
+    std::vector<float> footprints;        // how much they count by their footprints
     Pose2 robot_from_laser;
   };
+  // Those of its points that are matched. A search for where most of them fit takes them alike: how
+  // well each of them is known counts for where just.
+  struct KnownPoints {
+    FieldPoints climbed;
+    std::vector<float> weights;  // in a search
+    FieldPoints searched() const;
+  };
+  Hits hits_of(const LaserScan& scan, std::span<const float> beam_weights) const;
   std::optional<double> sigma_of(const LaserScan& scan) const;
   void add_scan(const LaserScan& scan, std::span<const float> beam_weights);
   std::optional<Pose2> odometry_at(double time) const;
@@ -72,10 +81,10 @@ class IncrementalMatcher : public Estimator {
   PosePrior going_on(double time) const;
   ScanMatch matched(const Hits& hits, const Prediction& prediction);
   ScanMatch matched_near(const Hits& hits, const Prediction& prediction);
-  FieldPoints known_points(const Hits& hits, const Pose2& predicted) const;
-  FieldPoints kept(const Hits& hits, const std::vector<bool>& keeps) const;
-  FieldPoints points_on_lines(const Hits& hits, const Pose2& pose) const;
-  ScanMatch climbed(const FieldPoints& points, const Prediction& prediction);
+  KnownPoints known_points(const Hits& hits, const Pose2& predicted) const;
+  KnownPoints kept(const Hits& hits, const std::vector<bool>& keeps) const;
+  KnownPoints points_on_lines(const Hits& hits, const Pose2& pose) const;
+  ScanMatch climbed(const KnownPoints& points, const Prediction& prediction);
   ScanMatch best_of(const Hits& hits, const ScanMatch& by_step,
                     const std::vector<OtherPrediction>& others);
   ScanMatch searched_widely(const Hits& hits, const Prediction& prediction,
