@@ -75,13 +75,14 @@ UpdateMotion FrontEnd::motion_to(const Place& place, const std::optional<Pose2>&
 FrontEnd::Result FrontEnd::add(const LaserScan& scan, std::span<const float> beam_weights) {
   const std::optional<Pose2> odometry =
       options_.matcher.use_odometry ? odometry_.at(scan.time) : std::optional<Pose2>{};
-  Result result{.step = motion_since(at_scan_, odometry), .update = {}};
+  Result result{.step = motion_since(at_scan_, odometry)};
   at_scan_ = odometry;
   const bool unmoved = options_.proposal == Proposal::odometry && !scans_.empty() && !result.step;
   if (unmoved) ++unmoved_scans_;
 
   const std::optional<Pose2> step = motion_since(at_matched_scan_, odometry);
   const Place place = place_of(scan, beam_weights, step);
+  result.fits = scans_.empty() || (place.matched && !place.contradicts_step);
   if (is_due(place.track)) {
     result.update = motion_to(place, step, odometry, scan.time);
     updates_.push_back({.time = scan.time,

@@ -33,6 +33,7 @@ class FrontEnd {
 
   struct Result {
     std::optional<Pose2> step;           // by odometry since the scan before, if there is any
+    bool fits = true;                    // the scan, near where odometry has the robot
     std::optional<UpdateMotion> update;  // of the update that is due with this scan
   };
   void add(const Odometry& odometry);

@@ -45,7 +45,8 @@ void GridSlam::add_scan(const LaserScan& scan, std::span<const float> beam_weigh
   const std::vector<Eigen::Vector2d> hits = hit_points(scan, options_.points);
   const FrontEnd::Result condensed = front_end_.add(scan, beam_weights);
   // A laser that told nothing new is not blind.
-  diagnostics_.scan(scan.time, condensed.step, hits.size() >= kMinHits || scan.ranges.empty());
+  diagnostics_.scan(scan.time, condensed.step, hits.size() >= kMinHits || scan.ranges.empty(),
+                    condensed.fits || hits.size() < kMinHits);
   if (condensed.update) update(scan, beam_weights, *condensed.update);
   if (!options_.refinement.enabled) return;
   KeptHits& kept = hits_.emplace_back();

@@ -13,7 +13,8 @@ void InputDiagnostics::odometry(const Odometry& reading) {
   if (reading.motion_unknown) interruption_ = reading.time;
 }
 
-void InputDiagnostics::scan(double time, const std::optional<Pose2>& step, bool sees_anything) {
+void InputDiagnostics::scan(double time, const std::optional<Pose2>& step, bool sees_anything,
+                            bool fits) {
   if (!started_) start_ = time;
   started_ = true;
   const bool moves_unmeasured = last_scan_ && !step;  // the first scan has no step to be measured
@@ -23,7 +24,9 @@ void InputDiagnostics::scan(double time, const std::optional<Pose2>& step, bool 
   if (!sees_anything && !step) interruption_ = time;
   const bool stood = step && std::hypot(step->x, step->y) <= options_.standing &&
                      std::abs(step->theta) <= options_.standing;
-  if (last_scan_ && time - *last_scan_ > options_.max_pause && !stood) {
+  const bool after_pause = last_scan_ && time - *last_scan_ > options_.max_pause;
+  if (after_pause && sees_anything && !fits) interruption_ = time;
+  if (after_pause && !stood) {
     pauses_.tell(*last_scan_, true);
     pauses_.tell(time, true);
     pauses_.tell(time, false);
@@ -33,6 +36,7 @@ void InputDiagnostics::scan(double time, const std::optional<Pose2>& step, bool 
 }
 
 void InputDiagnostics::update(double time, double inlier_ratio, bool possible) {
+  if (interruption_ && !possible) lost_.tell(*interruption_, true);
   lost_.tell(time, loses(inlier_ratio) || !possible);
   interruption_.reset();
 }

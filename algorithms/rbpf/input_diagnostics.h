@@ -37,8 +37,9 @@ class InputDiagnostics {
       : options_(options), scans_are_matched_(scans_are_matched) {}
 
   void odometry(const Odometry& reading);
-  // `step` by odometry since the scan before, if there is any.
-  void scan(double time, const std::optional<Pose2>& step, bool sees_anything);
+  // `step` by odometry since the scan before, if there is any. `fits`: it lies on what was seen
+  // just before, near where odometry has the robot.
+  void scan(double time, const std::optional<Pose2>& step, bool sees_anything, bool fits = true);
   // Of a scan that sees: how much of it the best particle's map explains, and whether the robot may
   // be there by its map of before an interruption.
   void update(double time, double inlier_ratio, bool possible = true);
@@ -46,7 +47,7 @@ class InputDiagnostics {
 
   // [s] of something after which the robot may be anywhere, since the last update: motion
   // that odometry does not know, or a pause or a laser that saw nothing without odometry to bridge
-  // it.
+  // it, or a pause after which the scan does not fit, as of a robot that was carried away.
   std::optional<double> interruption() const { return interruption_; }
   // Where the map of before `since` shows the robot at `time`.
   void relocalized(double since, double time) { relocalized_.push_back({since, time}); }

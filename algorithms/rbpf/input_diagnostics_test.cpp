@@ -34,6 +34,29 @@ TEST(InputDiagnostics, MotionThatOdometryDoesNotKnowInterruptsUntilTheNextUpdate
   EXPECT_FALSE(diagnostics.interruption());
 }
 
+TEST(InputDiagnostics, AScanThatDoesNotFitAfterAPauseInterruptsAndOneAmongOthersDoesNot) {
+  InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
+  diagnostics.scan(0.0, Pose2{}, true);
+  diagnostics.scan(1.0, Pose2{}, true, false);
+  EXPECT_FALSE(diagnostics.interruption());
+  diagnostics.scan(21.0, Pose2{}, true, true);
+  EXPECT_FALSE(diagnostics.interruption());
+  diagnostics.scan(41.0, Pose2{}, true, false);
+  EXPECT_EQ(diagnostics.interruption(), 41.0);
+}
+
+TEST(InputDiagnostics, TheRobotIsLostFromTheInterruptionOnNotFromTheUpdateThatShowsIt) {
+  InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
+  diagnostics.scan(0.0, Pose2{}, true);
+  diagnostics.update(0.0, 0.8);
+  diagnostics.scan(20.0, Pose2{}, true, false);
+  diagnostics.scan(23.0, Pose2{}, true);
+  diagnostics.update(23.0, 0.8, false);
+  diagnostics.update(24.0, 0.8);
+  EXPECT_THAT(texts_of(diagnostics.remarks()),
+              ElementsAre(HasSubstr("lost from 20.0 s to 23.0 s")));
+}
+
 TEST(InputDiagnostics, TheFirstScanHasNoStepAndMissesNone) {
   InputDiagnostics diagnostics{InputDiagnosticsOptions{}};
   diagnostics.scan(0.0, {}, true);
