@@ -92,7 +92,7 @@ Command describe_command() {
           .help = "Show every option of a thing: default, unit, meaning; what a log holds",
           .options = {{.name = "NAME",
                        .target = name.get(),
-                       .help = "a name that 'mapbed list' shows, or the file of a log",
+                       .help = "a name that 'mapbed list' shows, or the file of a log or bag",
                        .is_required = true}},
           .run = [name] { return describe(*name); }};
 }

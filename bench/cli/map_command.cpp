@@ -89,7 +89,8 @@ ChosenLog chosen_log(const std::string& log) {
 
 // "intel.clf.gz" -> "intel", "run.1.log" -> "run.1"
 std::string name_of_log(const std::string& path) {
-  fs::path file = fs::path(path).filename();
+  fs::path file = fs::path(path).has_filename() ? fs::path(path) : fs::path(path).parent_path();
+  file = file.filename();
   if (file.extension() == ".gz") file = file.stem();
   const std::string name = file.stem().string();
   return name.empty() ? "log" : name;
@@ -227,9 +228,9 @@ Command map_command() {
       .options =
           {{.name = "LOG",
             .target = &arguments->log,
-            .help =
-                "CARMEN (.log, .clf), CoreSLAM, DP-SLAM or a list of scans, also gzipped; or the "
-                "name or .yaml of one that 'mapbed list logs' shows",
+            .help = "CARMEN (.log, .clf), CoreSLAM, DP-SLAM or a list of scans, also gzipped; a "
+                    "bag of ROS 1 or 2, or MCAP; or the name or .yaml of one that 'mapbed list "
+                    "logs' shows",
             .is_required = true},
            {"--method", &arguments->method,
             "who finds the trajectory; see 'mapbed list methods'; the file (YAML) of a program of "

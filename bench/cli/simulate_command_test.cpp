@@ -49,6 +49,37 @@ TEST_F(SimulateCommand, WritesALogWithTruthRelationsAndMap) {
   EXPECT_EQ(map.status, 0) << map.err;
 }
 
+TEST_F(SimulateCommand, WritesBagsOfEachKindThatGiveTheSameTrajectory) {
+  std::vector<std::string> ros2 = short_drive("c");
+  ros2.insert(ros2.end(), {"--format", "ros2"});
+  for (const auto& command : {short_drive("a.bag"), short_drive("b.mcap"), ros2}) {
+    const Outcome outcome = call(command);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+  ASSERT_EQ(call(ros2).status, 0) << "its own files are replaced";
+  EXPECT_EQ(load_log(path("b.mcap")).true_poses.size(), 50u);
+  for (const char* log : {"a.bag", "b.mcap", "c"}) {
+    const Outcome map = call({"map", log});
+    ASSERT_EQ(map.status, 0) << map.err;
+  }
+  EXPECT_EQ(text("a_map/trajectory.tum"), text("b_map/trajectory.tum"));
+  EXPECT_EQ(text("a_map/trajectory.tum"), text("c_map/trajectory.tum"));
+  const Outcome described = call({"describe", "c"});
+  EXPECT_THAT(described.out, HasSubstr("  - /scan: 50 sensor_msgs/LaserScan\n"));
+  EXPECT_THAT(described.out, HasSubstr("front laser: 180 beams"));
+}
+
+TEST_F(SimulateCommand, PutsNoBagIntoAFolderOfSomebodyElse) {
+  fs::create_directory(path("mine"));
+  write("mine/notes.txt", "of my own\n");
+  std::vector<std::string> ros2 = short_drive("mine");
+  ros2.insert(ros2.end(), {"--format", "ros2"});
+  expect_refusal(ros2, "notes.txt: was not written by mapbed");
+  std::vector<std::string> unknown = short_drive("x.log");
+  unknown.insert(unknown.end(), {"--format", "ros3"});
+  expect_refusal(unknown, "unknown format of logs 'ros3'; did you mean 'ros1'?");
+}
+
 TEST_F(SimulateCommand, ReplacesItsOwnFilesAndNoOthers) {
   for (const char* name : {"a.tum", "a.config.yaml", "a_map.yaml"}) {
     write(name, "seed: of my own\n");
