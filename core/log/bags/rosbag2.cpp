@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -61,8 +62,10 @@ class Rows {
   int code_ = SQLITE_OK;
 };
 
-// Of a file of somebody else's: nothing in it is run.
-void make_safe(const Database& database) {
+// Of a file of somebody else's: nothing in it is run, and nothing becomes larger than allowed.
+void make_safe(const Database& database, const BagLog& log) {
+  const auto most = std::min<std::size_t>(log.max_bytes(), std::numeric_limits<int>::max());
+  sqlite3_limit(database.get(), SQLITE_LIMIT_LENGTH, static_cast<int>(most));
   sqlite3_db_config(database.get(), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(database.get(), SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(database.get(), SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
@@ -97,7 +100,7 @@ std::map<std::int64_t, int> topics_in(const Database& database, BagLog& log) {
 }
 
 void read(const Database& database, BagLog& log, const GoesOn& goes_on) {
-  make_safe(database);
+  make_safe(database, log);
   const std::map<std::int64_t, int> topics = topics_in(database, log);
   // In the order of the file, so that all that stands before a damage is read.
   Rows rows(database, "SELECT topic_id, timestamp, data FROM messages");
