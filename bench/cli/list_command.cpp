@@ -9,6 +9,7 @@
 #include "bench/cli/catalogue.h"
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
+#include "bench/methods/program_method.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
 #include "core/log/log_file.h"
@@ -56,6 +57,10 @@ int describe(const std::string& name) {
     } catch (const InputError& error) {
       fmt::print("remark: {}\n", error.what());
     }
+    return kDone;
+  }
+  if (is_program_file(name)) {
+    fmt::print("{} (method)\n{}", name, load_program_method(name).description());
     return kDone;
   }
   if (std::filesystem::is_regular_file(name)) {

@@ -1,6 +1,7 @@
 // `mapbed map` with programs of somebody else's as methods.
 
 #include <filesystem>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -110,6 +111,17 @@ TEST_F(MapByProgram, RefusesAMethodsFileThatIsWrong) {
                  "'rbpf.particles' is set, but the method is my");
 }
 
+TEST_F(MapByProgram, DescribesAMethodsFile) {
+  script(kOdometry);
+  const Outcome outcome = call({"describe", "my.yaml"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("limit: 3600 s"));
+  EXPECT_THAT(outcome.out, HasSubstr("/sh\n"));
+  EXPECT_THAT(call({"describe", "odometry_in_python"}).out, HasSubstr("command: [python3"));
+  EXPECT_THAT(call({"list", "methods"}).out, HasSubstr("mrpt_icp_slam"));
+  EXPECT_THAT(call({"list", "formats"}).out, HasSubstr("rawlog"));
+}
+
 TEST_F(MapByProgram, EndsTheProgramWhereItIsInterrupted) {
   script("echo $$ >" + path("number") + "x; mv " + path("number") + "x " + path("number") +
          "; sleep 100; true {log}");
@@ -147,6 +159,42 @@ TEST_F(MapByProgram, TakesTheExampleInPython) {
   const Trajectory theirs = load_trajectory(path("m/trajectory.tum"));
   ASSERT_EQ(ours.size(), theirs.size());
   EXPECT_NEAR(path_length(ours), path_length(theirs), 1e-6);
+}
+
+TEST_F(MapByProgram, WritesRawlogsThatMrptReads) {
+  if (program_in_path("rawlog-edit").empty()) GTEST_SKIP() << "mrpt-apps is not installed";
+  write("my.yaml",
+        "program: rawlog-edit\nlog: rawlog\nkeep: [info.txt, scans.txt]\nshell: |\n"
+        "  rawlog-edit --info -i {log} >info.txt\n"
+        "  rawlog-edit --export-2d-scans-txt -i {log}\n"
+        "  cp $(dirname {log})/log_front.txt scans.txt\n"
+        "  awk '{print $1, 0, 0, 0}' {stamps} >trajectory.tum\n");
+  ASSERT_EQ(map("./my.yaml").status, 0);
+  const RecordedLog log = load_log(path("room.log"));
+  std::vector<LaserScan> scans;
+  for (const Measurement& measurement : log.measurements) {
+    if (const auto* scan = std::get_if<LaserScan>(&measurement)) scans.push_back(*scan);
+  }
+  const std::string info = text("m/program/info.txt");
+  EXPECT_THAT(info, ::testing::ContainsRegex(
+                        "Overall number of objects *: " + std::to_string(2 * scans.size()) + "\n"));
+  EXPECT_THAT(info, ::testing::ContainsRegex("Actions/SensoryFrame format *: Yes"));
+  // A line each: time, ranges, whether they are measurements.
+  std::istringstream lines(text("m/program/scans.txt"));
+  std::string head;
+  std::getline(lines, head);
+  for (const LaserScan& scan : scans) {
+    double time = 0.0;
+    ASSERT_TRUE(lines >> time);
+    EXPECT_NEAR(time, scan.time, 1e-6);
+    std::vector<double> ranges(scan.ranges.size()), valid(scan.ranges.size());
+    for (double& range : ranges) lines >> range;
+    for (double& beam : valid) lines >> beam;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      EXPECT_NEAR(ranges[i], scan.ranges[i], 0.001);  // three decimals
+      EXPECT_EQ(valid[i] == 1.0, scan.is_hit(i));
+    }
+  }
 }
 
 // Its map of a loop is right within the width of a door.

@@ -137,6 +137,9 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
   outcome.failure = evaluator.failure();
   outcome.files = std::move(watched.figures);
   outcome.series = std::move(watched.series);
+  for (auto& [name, content] : watched.run.kept) {
+    if (input.shown) outcome.files.push_back({"program/" + name, std::move(content)});
+  }
   if (input.shown && !known_box(evaluator.map()).empty()) {
     outcome.files.push_back(picture_file(input, evaluator));
     const Trajectory& path = evaluator.world_from_robot();

@@ -31,7 +31,7 @@ MethodRun run_method(const ChosenMethod& method, const MethodInput& input,
   if (const ProgramMethod* program = method.program()) {
     ProgramRun run =
         run_program_method(*program, input.as_recorded, input.prepared, input.seed, input.goes_on);
-    return {std::move(run.estimate), run.cost};
+    return {std::move(run.estimate), run.cost, std::move(run.kept)};
   }
   return run_ours(std::get<ConfiguredMethod>(method.what), input, watch);
 }

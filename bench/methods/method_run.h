@@ -27,6 +27,7 @@ struct MethodWatch {
 struct MethodRun {
   Estimate estimate;
   MethodCost cost;
+  std::vector<std::pair<std::string, std::string>> kept = {};  // as ProgramRun::kept
 };
 
 // The whole log through the method. Throws ProgramFailed, and Interrupted.

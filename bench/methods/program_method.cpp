@@ -134,7 +134,7 @@ SourceLocation read_command(const ConfigNode& file, ProgramMethod& method) {
 }
 
 // The program's own file: the one that its first word, or 'program', names.
-InputFile program_file(const ConfigNode& file, const ProgramMethod& method,
+InputFile program_file(const ConfigNode& file, ProgramMethod& method,
                        const SourceLocation& of_command) {
   const ConfigNode* named = file.find("program");
   const ConfigNode* install = file.find("install");
@@ -152,6 +152,8 @@ InputFile program_file(const ConfigNode& file, const ProgramMethod& method,
                      "name the program itself");
   }
   const std::string name = with_whole_path(filled(word, files), place);
+  // From where the program will run, a relative path leads elsewhere.
+  if (!method.is_shell && named == nullptr) method.command.front() = name;
   const std::string path = program_in_path(name);
   if (!path.empty()) return input_file(path);
   throw InputError(place, "the program " + in_quotes(name) + " is not there, or cannot be run",
@@ -195,6 +197,19 @@ std::string ProgramMethod::complete_yaml() const {
   return "# a program that states " + stated + "\n" + to_yaml(settable(copy));
 }
 
+std::string ProgramMethod::description() const {
+  std::string text = complete_yaml() + "made of:\n";
+  for (const InputFile& file : input_files) text += "  " + file.path + "\n";
+  return text;
+}
+
+bool is_program_file(const std::string& path) {
+  if (!path.ends_with(".yaml") || !fs::is_regular_file(path)) return false;
+  const ConfigNode file = load_config(path);
+  return file.kind() == ConfigNode::Kind::map &&
+         (file.find("command") != nullptr || file.find("shell") != nullptr);
+}
+
 bool is_program_method(const std::string& name_or_path) {
   return name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".yaml") ||
          contains(program_method_names(), name_or_path);
@@ -235,7 +250,8 @@ ProgramMethod load_program_method(const std::string& name_or_path, const Setting
   (void)file.find("install");
   file.check_all_used("a method's file");
   apply(settings, settable(method), method.name);
-  merge({program_file(file, method, of_command)}, method.input_files);
+  const InputFile program = program_file(file, method, of_command);
+  merge({program}, method.input_files);
   for (const auto& [name, whole] : method.files) merge({input_file(whole)}, method.input_files);
   method.version = version_of(version);
   return method;

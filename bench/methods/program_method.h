@@ -50,12 +50,16 @@ struct ProgramMethod {
   InputFiles input_files = {};                      // with the method's file and the program itself
 
   std::string complete_yaml() const;  // what can be set of it, and its version
+  std::string description() const;    // the same, and the files that it is made of
 };
 
 // Whether a name stands for one: a path, or a name in scenarios/methods.
 bool is_program_method(const std::string& name_or_path);
 std::string program_method_name(const std::string& name_or_path);  // "my" of "./my.yaml"
 std::vector<std::string> program_method_names();                   // in scenarios/methods
+
+// Whether a file has the form above.
+bool is_program_file(const std::string& path);
 
 // Reads its file, with settings of its options and limit; asks the program for its version. Throws
 // InputError where something is wrong, or the program not there.

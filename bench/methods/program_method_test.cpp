@@ -135,8 +135,9 @@ TEST_F(ProgramMethodFile, TakesAProgramBesideIt) {
   write("#!/bin/sh\n", "slam");
   expect_refused("command: [./slam, '{log}']\n", ":1: the program '" + path("slam") + "' is not");
   std::filesystem::permissions(path("slam"), std::filesystem::perms::owner_all);
-  EXPECT_THAT(load("command: [./slam, '{log}']\n").input_files,
-              Contains(Field(&InputFile::path, path("slam"))));
+  const ProgramMethod method = load("command: [./slam, '{log}']\n");
+  EXPECT_THAT(method.input_files, Contains(Field(&InputFile::path, path("slam"))));
+  EXPECT_EQ(method.command.front(), path("slam")) << "it runs in another folder";
 }
 
 TEST_F(ProgramMethodFile, RefusesWrongFilesFormatsAndNames) {

@@ -88,49 +88,68 @@ double number_behind(const char* text, const char* name) {
   return number;
 }
 
-// "/proc/<pid>/status", without memory of its own.
-void path_of_status(pid_t process, char (&path)[64]) {
-  char digits[16];
-  int count = 0;
-  do {
-    digits[count++] = static_cast<char>('0' + process % 10);
-    process /= 10;
-  } while (process > 0);
-  std::strcpy(path, "/proc/");
-  char* end = path + std::strlen(path);
-  while (count > 0) *end++ = digits[--count];
-  std::strcpy(end, "/status");
+// A path below /proc, without memory of its own.
+class ProcPath {
+ public:
+  ProcPath& add(const char* text) {
+    while (*text != '\0') *end_++ = *text++;
+    *end_ = '\0';
+    return *this;
+  }
+  ProcPath& add(pid_t process) {
+    char digits[16];
+    char* first = digits + sizeof digits - 1;
+    for (*first = '\0'; process > 0; process /= 10) {
+      *--first = static_cast<char>('0' + process % 10);
+    }
+    return add(first);
+  }
+
+  // The beginning of the file; empty where there is none.
+  template <std::size_t size>
+  void read_into(char (&text)[size]) const {
+    const int file = open(path_, O_RDONLY | O_CLOEXEC);
+    const ssize_t read_bytes = file < 0 ? 0 : read(file, text, size - 1);
+    if (file >= 0) close(file);
+    text[std::max<ssize_t>(read_bytes, 0)] = '\0';
+  }
+
+ private:
+  char path_[96] = {};
+  char* end_ = path_;
+};
+
+// Calls `visit` for each number of a text of blanks and digits.
+template <class Visit>
+void each_process(const char* text, Visit&& visit) {
+  pid_t process = 0;
+  for (; *text != '\0'; ++text) {
+    if (*text >= '0' && *text <= '9') {
+      process = 10 * process + (*text - '0');
+    } else if (process > 0) {
+      visit(process);
+      process = 0;
+    }
+  }
 }
 
-// [bytes] the most that it has had so far; 0 where it is over.
-double peak_memory_of(pid_t process) {
-  char path[64];
-  path_of_status(process, path);
-  const int file = open(path, O_RDONLY | O_CLOEXEC);
-  if (file < 0) return 0.0;
+// [bytes] the most that it or one that it started has had so far; 0 where they are over.
+double peak_memory_of(pid_t process, int generations = 8) {
   char text[4096];
-  const ssize_t size = read(file, text, sizeof text - 1);
-  close(file);
-  text[std::max<ssize_t>(size, 0)] = '\0';
-  return 1024.0 * number_behind(text, "VmHWM:");
+  ProcPath().add("/proc/").add(process).add("/status").read_into(text);
+  double peak = 1024.0 * number_behind(text, "VmHWM:");
+  if (generations == 0) return peak;
+  ProcPath().add("/proc/").add(process).add("/task/").add(process).add("/children").read_into(text);
+  each_process(text,
+               [&](pid_t child) { peak = std::max(peak, peak_memory_of(child, generations - 1)); });
+  return peak;
 }
 
 // Those that were started by children that are over are children of this process by then.
 void kill_children() {
-  const int file = open("/proc/thread-self/children", O_RDONLY | O_CLOEXEC);
-  if (file < 0) return;
   char text[4096];
-  const ssize_t size = read(file, text, sizeof text - 1);
-  close(file);
-  pid_t process = 0;
-  for (ssize_t i = 0; i < size; ++i) {
-    if (text[i] >= '0' && text[i] <= '9') {
-      process = 10 * process + (text[i] - '0');
-    } else if (process > 0) {
-      kill(process, SIGKILL);
-      process = 0;
-    }
-  }
+  ProcPath().add("/proc/thread-self/children").read_into(text);
+  each_process(text, [](pid_t child) { kill(child, SIGKILL); });
 }
 
 void kill_all(pid_t group) {
@@ -148,7 +167,7 @@ double seconds(const timeval& time) {
 }
 
 // A process begins with the memory of the one that started it in its account: what is not above
-// this one's own is known by looking at the program alone.
+// this one's own is known only by having looked.
 void take_costs(double looked, SupervisorReport& report) {
   rusage own{}, children{};
   getrusage(RUSAGE_SELF, &own);

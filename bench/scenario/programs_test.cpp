@@ -121,6 +121,17 @@ TEST_F(Programs, ThatFailStandInTheTableWithTheirReasonAndTheirMessages) {
   EXPECT_THAT(text("r/files.csv"), HasSubstr("messages/run_3_theirs.txt"));
 }
 
+TEST_F(Programs, KeepFilesOfTheirOwnOfTheFirstSeed) {
+  write("theirs.yaml",
+        "program: awk\nkeep: [graph.g2o]\nshell: |\n"
+        "  awk '/^ROBOTLASER/ {print $(NF-2), 0, 0, 0}' {log} >trajectory.tum\n"
+        "  echo FIX {seed} >graph.g2o\n");
+  run(planned(drives(kBoth)), "r");
+  EXPECT_EQ(text("r/program/graph_theirs.g2o"), "FIX 1\n");
+  std::filesystem::remove(path("r/program/graph_theirs.g2o"));
+  EXPECT_TRUE(std::filesystem::is_empty(path("r/program"))) << "nothing of the second seed";
+}
+
 TEST_F(Programs, AreWhatARunIsMadeOf) {
   write("settings.ini", "a = 1\n");
   write("slam", "#!/bin/sh\n");
