@@ -204,7 +204,8 @@ std::string ProgramMethod::description() const {
 }
 
 bool is_program_file(const std::string& path) {
-  if (!path.ends_with(".yaml") || !fs::is_regular_file(path)) return false;
+  std::error_code failed;
+  if (!path.ends_with(".yaml") || !fs::is_regular_file(path, failed)) return false;
   const ConfigNode file = load_config(path);
   return file.kind() == ConfigNode::Kind::map &&
          (file.find("command") != nullptr || file.find("shell") != nullptr);
