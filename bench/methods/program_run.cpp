@@ -158,6 +158,7 @@ Estimate estimate_at_scans(const std::string& name, const Trajectory& path, cons
 ProgramRun run_program_method(const ProgramMethod& method, const SensorLog& as_recorded,
                               const SensorLog& prepared, std::uint64_t seed,
                               const GoesOn& goes_on) {
+  for (const InputFile& file : method.input_files) check_unchanged(file);
   const Folders folders;
   fs::create_directory(folders.out);
   const Placeholders values = given_files(method, as_recorded, seed, folders);

@@ -37,8 +37,8 @@ class ProgramFailed : public InputError {
 
 // Runs it on a log as the robot recorded it. Its estimate has a pose for each scan of `prepared`,
 // which is what methods of ours get of that log: interpolated between the program's own, and none
-// before its first and after its last one. Throws ProgramFailed, and Interrupted where `goes_on`
-// says no.
+// before its first and after its last one. Throws ProgramFailed, Interrupted where `goes_on` says
+// no, and InputChanged where a file that the method is made of is another one now.
 ProgramRun run_program_method(const ProgramMethod& method, const SensorLog& as_recorded,
                               const SensorLog& prepared, std::uint64_t seed,
                               const GoesOn& goes_on = {});

@@ -141,6 +141,16 @@ TEST(ProgramRun, FailsWithStampsThatAreNotTheLogs) {
                 "log's from 100.000 to 100.900");
 }
 
+TEST(ProgramRun, IsRefusedWhereAFileOfItsOwnHasChanged) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("settings.ini")) << "a = 1\n";
+  ProgramMethod method = script(kOdometry);
+  method.input_files = {input_file(folder.file("settings.ini"))};
+  EXPECT_EQ(run(method).estimate.trajectory.size(), 10u);
+  std::ofstream(folder.file("settings.ini")) << "a = 2\n";
+  EXPECT_THROW(run(method), InputChanged);
+}
+
 TEST(ProgramRun, EndsWhereNobodyWantsItAnyMore) {
   int asked = 0;
   EXPECT_THROW(run_program_method(script("sleep 100"), straight_log(), straight_log(), 1,
