@@ -166,8 +166,8 @@ TEST_F(MapByProgram, WritesRawlogsThatMrptReads) {
   write("my.yaml",
         "program: rawlog-edit\nlog: rawlog\nkeep: [info.txt, scans.txt]\nshell: |\n"
         "  rawlog-edit --info -i {log} >info.txt\n"
-        "  rawlog-edit --export-2d-scans-txt -i {log}\n"
-        "  cp $(dirname {log})/log_front.txt scans.txt\n"
+        "  cp {log} x.rawlog; rawlog-edit --export-2d-scans-txt -i x.rawlog\n"
+        "  mv x_front.txt scans.txt\n"
         "  awk '{print $1, 0, 0, 0}' {stamps} >trajectory.tum\n");
   ASSERT_EQ(map("./my.yaml").status, 0);
   const RecordedLog log = load_log(path("room.log"));
