@@ -10,7 +10,7 @@ namespace mapbed {
 
 struct RecorderOptions {
   double longest = 3600.0;     // [s] then the recording ends whether the driver is done or not
-  double stuck_after = 120.0;  // [s] then a robot that stands and does not rest is stuck; 0: never
+  double stuck_after = 300.0;  // [s] then a robot that stands and does not rest is stuck; 0: never
   double first_stamp = 0.0;    // [s] stamp of the start
   // Noise of what the driver is told; one that only looks at the simulation needs none.
   bool tells_driver = false;
