@@ -56,6 +56,16 @@ TEST(Program, ListsAndDescribesMethods) {
   EXPECT_THAT(run_mapbed({"describe", "map"}).out, HasSubstr("resolution: 0.05 m  # "));
 }
 
+TEST(Program, TellsWhatSensorsAndRobotsPromiseALineEach) {
+  const std::string sensors = run_mapbed({"list", "sensors", "--about"}).out;
+  EXPECT_THAT(sensors,
+              HasSubstr("0.5 to 20 m, 270 deg in 541 beams of 0.5 deg, 50 Hz, sigma 12 mm"));
+  EXPECT_THAT(sensors, HasSubstr("; source: SICK support"));
+  EXPECT_THAT(sensors, HasSubstr("; source: comments of robots/sensors/sick_lms200.yaml"));
+  EXPECT_THAT(run_mapbed({"list", "robots", "--about"}).out, HasSubstr("omni, 0.8 m/s"));
+  EXPECT_THAT(run_mapbed({"list", "sensors"}).out, ::testing::Not(HasSubstr("source:")));
+}
+
 class Evaluate : public CommandTest {
  protected:
   Evaluate() {

@@ -83,6 +83,7 @@ void print_result(const ScenarioRun& run, const std::string& folder) {
   for (const std::string& line : run.results.skipped) {
     fmt::print("remark: {}; set MAPBED_DATA to the folder that holds it\n", line);
   }
+  for (const std::string& remark : run.remarks) fmt::print("remark: {}\n", remark);
   print_claims(run.results);
   fmt::print("written to {0}; see {0}/report.html\n", folder);
 }

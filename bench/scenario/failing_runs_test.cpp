@@ -60,5 +60,19 @@ TEST(FailingRuns, StandInTheTableWithTheirReasonAndTheOthersGoOn) {
   EXPECT_TRUE(results.verdicts[1].held);
 }
 
+// In the first 0.2 s a robot has come no 5 cm far.
+TEST(FailingRuns, ARobotThatGotStuckIsToldOnceForAllRunsOfItsRecording) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("x.yaml"))
+      << "world: corridor\nrobot: pioneer\npeople: 0\nrecorder.stuck_after: 0.2 s\n"
+         "compare: {raw: {estimator: odometry}, again: {estimator: odometry}}\n"
+         "metrics: [path_length]\n";
+  const ScenarioRun run =
+      run_scenario(make_plan(load_scenario(folder.file("x.yaml"))), {.folder = folder.file(".")},
+                   [](std::size_t, std::size_t) { return true; });
+  ASSERT_EQ(run.remarks.size(), 1u);
+  EXPECT_THAT(run.remarks[0], ::testing::StartsWith("seed 1: the robot has stood at ("));
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -136,7 +136,9 @@ ScenarioRun all_runs(const ScenarioPlan& plan, int threads, StagingFolder& stagi
     run.results.costs.push_back(result.cost);
     goes_on = goes_on && may_go_on(run.results.runs.size(), total);
   };
+  calls.remark = [&](const std::string& remark) { run.remarks.push_back(remark); };
   run.recordings = do_runs(plan, to_do, threads, calls);
+  std::sort(run.remarks.begin(), run.remarks.end());
   run.complete = run.results.runs.size() == total;
   return run;
 }

@@ -19,9 +19,10 @@ struct ScenarioRunOptions {
 
 struct ScenarioRun {
   Results results;
-  int done_before = 0;    // runs that an earlier start had done
-  int recordings = 0;     // made now
-  bool complete = false;  // false: interrupted; nothing but the journal was written
+  int done_before = 0;               // runs that an earlier start had done
+  int recordings = 0;                // made now
+  std::vector<std::string> remarks;  // on recordings that were made now
+  bool complete = false;             // false: interrupted; nothing but the journal was written
 };
 
 // Asked often, by one thread at a time, with the runs that are done and all that there are; false

@@ -111,6 +111,7 @@ class Runner {
     const Inside inside(gate_);
     const OpenedLogs logs = opened_logs(plan_, plan_.row(runs.front()), calls_.may_go_on);
     recordings_ += static_cast<int>(logs.sources.size());
+    tell_remarks(logs, plan_.row(runs.front()).seed);
     // Isolated: a thread that waits here shall not begin another group, with a recording more.
     tbb::this_task_arena::isolate([&] {
       tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t i) {
@@ -127,6 +128,14 @@ class Runner {
   }
 
  private:
+  void tell_remarks(const OpenedLogs& logs, std::uint64_t seed) {
+    for (const auto& source : logs.sources) {
+      if (!calls_.remark || source->remark().empty()) continue;
+      const std::scoped_lock lock(mutex_);
+      calls_.remark(fmt::format("seed {}: {}", seed, source->remark()));
+    }
+  }
+
   RunResult done(int run, const OpenedLogs& logs) const {
     const double start = processor_time();
     RunOutcome outcome;

@@ -21,6 +21,7 @@ struct RunResult {
 struct RunnerCalls {
   std::function<void(RunResult)> done;  // a run is over; throws to stop everything
   GoesOn may_go_on;                     // false: nothing more is started, and no log read on
+  std::function<void(const std::string&)> remark = {};  // of a recording that runs share
 };
 
 // Does the runs of these numbers, `threads` at a time at most; runs that share a recording share

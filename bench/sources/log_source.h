@@ -67,6 +67,7 @@ class LogSource {
  public:
   virtual ~LogSource() = default;
   virtual double recorded_seconds() const = 0;
+  virtual std::string remark() const { return {}; }  // that its robot got stuck; else empty
   // With the noise and the faults of `plan`, which has the key of the one that was opened, drawn by
   // `seed`. For several threads at a time; what it gives refers to this source.
   LogInput input(const SourcePlan& plan, std::uint64_t seed) const;

@@ -1,5 +1,6 @@
 #include "bench/sources/simulate.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,7 @@ TEST(Simulate, TheConfigurationBesideALogSimulatesItAgain) {
   const TemporaryFolder folder;
   SimulationPlan plan = short_drive(2);
   plan.settings.push_back(parse_setting("world.doors_a_side=2"));
+  plan.settings.push_back(parse_setting("robot.front.sensor=hokuyo_urg04lx"));
   plan.settings.push_back(parse_setting("robot.front.noise.bias=1 cm"));
   plan.settings.push_back(parse_setting("driver.speed=0.3 m/s"));
   write_simulation(folder.file("a.log"), run_simulation(plan, 7));
@@ -102,6 +104,27 @@ TEST(Simulate, AWrongDriverIsRefusedWithTheNearestOne) {
   plan.driver = "scriptd";
   EXPECT_INPUT_ERROR(prepare_simulation(plan),
                      "unknown driver 'scriptd'; did you mean 'scripted'?");
+}
+
+TEST(Simulate, WhoDrivesSuitsTheDriveAndOneWhoCannotIsRefused) {
+  SimulationPlan plan = short_drive(0);
+  plan.robot = "f1tenth";
+  EXPECT_NE(prepare_simulation(plan).config.find("driver: car\n"), std::string::npos);
+  plan.driver = "scripted";
+  EXPECT_INPUT_ERROR(prepare_simulation(plan),
+                     "driver 'scripted' cannot drive robot 'f1tenth' (ackermann); take driver "
+                     "'car'");
+}
+
+TEST(Simulate, AnotherSensorOfTheShelfIsRecorded) {
+  SimulationPlan plan = short_drive(0);
+  plan.settings.push_back(parse_setting("robot.front.sensor=rplidar_a1"));
+  const SimulationResult result = run_simulation(plan, 1);
+  const auto scan = std::find_if(result.log.begin(), result.log.end(), [](const auto& m) {
+    return std::holds_alternative<LaserScan>(m);
+  });
+  ASSERT_NE(scan, result.log.end());
+  EXPECT_EQ(std::get<LaserScan>(*scan).ranges.size(), 360u);
 }
 
 TEST(Simulate, SensorSettingsThatDoNotGoTogetherAreRefused) {

@@ -21,6 +21,8 @@ class SimulatedSource : public LogSource {
     return truth_.empty() ? 0.0 : truth_.back().time - truth_.front().time;
   }
 
+  std::string remark() const override { return recording_.end.stuck; }
+
  private:
   LogInput clean_input(const SourcePlan& plan, std::uint64_t seed) const override {
     LogInput input;
