@@ -53,7 +53,8 @@ int describe(const std::string& name) {
     // First of all, so that it is there also where it is not clear which topics are meant.
     fmt::print("{} (log)\n{}", name, text_of_bag(*bag));
     try {
-      fmt::print("{}", text_of_log(name));
+      const std::string text = text_of_log(name);
+      fmt::print("{}", text.substr(text.find('\n') + 1));  // the format is told
     } catch (const InputError& error) {
       fmt::print("remark: {}\n", error.what());
     }

@@ -83,8 +83,10 @@ void check_output(const std::string& log, const LogFormat& format) {
   refuse_foreign_simulation_files(log, format);
 }
 
-int simulate(const SimulateArguments& arguments) {
+int simulate(SimulateArguments arguments) {
   const LogFormat& format = format_of(arguments);
+  std::string& log = arguments.log;
+  while (format.is_folder && log.size() > 1 && log.ends_with('/')) log.pop_back();
   check_output(arguments.log, format);
   const SimulationToRun to_run =
       while_told("building the world", [&] { return simulation_of(arguments); });
@@ -98,7 +100,7 @@ int simulate(const SimulateArguments& arguments) {
   const Trajectory truth = trajectory_of(result.recording.truth);
   const double recorded = scans.empty() ? 0.0 : scans.back().time - scans.front().time;
   // Where the log goes to a pipe or to standard output, these words do not.
-  const bool is_alone = is_special_file(arguments.log);
+  const bool is_alone = !format.is_folder && is_special_file(arguments.log);
   std::FILE* const words = is_alone ? stderr : stdout;
   fmt::print(words,
              "{} in {}: {} scans, {:.1f} s, {:.1f} m of path; simulated in {:.2f} s, {:.0f} times "

@@ -78,6 +78,7 @@ TEST_F(SimulateCommand, PutsNoBagIntoAFolderOfSomebodyElse) {
   std::vector<std::string> unknown = short_drive("x.log");
   unknown.insert(unknown.end(), {"--format", "ros3"});
   expect_refusal(unknown, "unknown format of logs 'ros3'; did you mean 'ros1'?");
+  expect_refusal(short_drive("x.db3"), "x.db3: is one file of a bag of ROS 2, which is a folder");
 }
 
 TEST_F(SimulateCommand, ReplacesItsOwnFilesAndNoOthers) {

@@ -274,7 +274,7 @@ SimulationResult run_simulation(PreparedSimulation simulation, std::uint64_t see
 void write_simulation(const std::string& log_path, const SimulationResult& result,
                       const LogFormat& format) {
   const Trajectory truth = trajectory_of(result.recording.truth);
-  if (!is_special_file(log_path)) {  // else nothing stands beside it
+  if (format.is_folder || !is_special_file(log_path)) {  // else nothing stands beside it
     // Behind a link, which stays.
     for (const std::string& file : files_of(log_path, format)) {
       if (std::filesystem::exists(file)) {
@@ -291,7 +291,7 @@ void write_simulation(const std::string& log_path, const SimulationResult& resul
 }
 
 void refuse_foreign_simulation_files(const std::string& log_path, const LogFormat& format) {
-  if (is_special_file(log_path)) return;
+  if (!format.is_folder && is_special_file(log_path)) return;
   const std::filesystem::path stem = stem_of(log_path);
   const bool is_ours = is_of_simulation(stem.string() + kConfig);
   if (format.is_folder) refuse_foreign_folder(log_path, is_ours);

@@ -35,6 +35,9 @@ const LogFormat& log_format_by_name(const std::string& name, const SourceLocatio
 }
 
 const LogFormat& log_format_of_path(const std::string& path) {
+  if (path.ends_with(".db3"))
+    throw InputError({path}, "is one file of a bag of ROS 2, which is a folder",
+                     "write it by --format ros2 into a folder");
   for (const LogFormat& format : log_formats())
     if (!format.is_folder && path.ends_with(format.extension)) return format;
   return log_formats().front();

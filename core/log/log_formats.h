@@ -23,7 +23,8 @@ std::span<const LogFormat> log_formats();
 // Throws InputError for an unknown name, which stands at `place`, with the nearest one.
 const LogFormat& log_format_by_name(const std::string& name, const SourceLocation& place = {});
 
-// That of files with such an ending; CARMEN's for all others.
+// That of files with such an ending; CARMEN's for all others. Throws InputError for .db3, which is
+// a part of a bag.
 const LogFormat& log_format_of_path(const std::string& path);
 
 }  // namespace mapbed

@@ -9,6 +9,7 @@ namespace {
 // Of the same mount told twice: digits of a float.
 constexpr double kSameDistance = 1e-4;  // [m]
 constexpr double kSameAngle = 1e-4;     // [rad]
+constexpr std::size_t kLongestLine = 1000;
 
 }  // namespace
 
@@ -41,11 +42,6 @@ const std::vector<Stamped<Pose3>>* FrameTree::poses_of(const std::string& frame)
   return found == edges_.end() ? nullptr : &found->second.poses;
 }
 
-std::string FrameTree::parent_of(const std::string& frame) const {
-  const auto found = edges_.find(frame);
-  return found == edges_.end() ? "" : found->second.parent;
-}
-
 std::vector<std::string> FrameTree::children_of(const std::string& frame) const {
   std::vector<std::string> children;
   for (const auto& [child, edge] : edges_)
@@ -53,11 +49,13 @@ std::vector<std::string> FrameTree::children_of(const std::string& frame) const 
   return children;
 }
 
-// Ends where a frame comes up again: then it is no tree.
+// Ends where a frame comes up again: then it is no tree. No robot has so long a line.
 std::vector<std::string> FrameTree::line_of(const std::string& frame) const {
   std::vector<std::string> line{frame};
   for (auto edge = edges_.find(frame); edge != edges_.end(); edge = edges_.find(line.back())) {
-    if (std::find(line.begin(), line.end(), edge->second.parent) != line.end()) break;
+    if (line.size() == kLongestLine ||
+        std::find(line.begin(), line.end(), edge->second.parent) != line.end())
+      break;
     line.push_back(edge->second.parent);
   }
   return line;

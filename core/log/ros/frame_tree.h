@@ -21,8 +21,6 @@ class FrameTree {
   bool knows(const std::string& frame) const;  // as child or as parent
   // The parent's poses of the frame, in the order in which they were added; null: it has none.
   const std::vector<Stamped<Pose3>>* poses_of(const std::string& frame) const;
-  // "odom" of "base_link"; empty: none.
-  std::string parent_of(const std::string& frame) const;
   // The frames that are seen from it directly, in the order of their names.
   std::vector<std::string> children_of(const std::string& frame) const;
 

@@ -205,7 +205,9 @@ std::string definition_of(RosType type, RosEncoding encoding) {
 }
 
 bool has_fields_of(RosType type, RosEncoding encoding, std::string_view definition) {
-  return field_list(definition) == field_list(definition_of(type, encoding));
+  constexpr std::size_t kLongest = 1 << 16;  // [bytes] no definition of ROS is so long
+  return definition.size() <= kLongest &&
+         field_list(definition) == field_list(definition_of(type, encoding));
 }
 
 }  // namespace mapbed
