@@ -117,6 +117,14 @@ bool tells(const Remark& remark, const FaultInLog& fault, double within) {
   });
 }
 
+double odometry_error_of(const Setup& setup, const RunInput& input,
+                         const MeasuredRelations& relations) {
+  const MethodRun run = run_method(
+      setup.odometry,
+      {.as_recorded = input.log, .prepared = input.log, .rng = input.rng.stream("odometry")});
+  return error_of(run.estimate, relations);
+}
+
 RunOutcome run(const Setup& setup, const RunInput& input) {
   const LogFaultsOptions& options = setup.options;
   const std::string key = std::to_string(Rng(input.rng).bits()) + "\n" + setup.clean_yaml;
@@ -131,10 +139,7 @@ RunOutcome run(const Setup& setup, const RunInput& input) {
 
   const MeasuredRelations& relations = relations_of(input, clean);
   const double error = error_of(estimate, relations);
-  const MethodRun by_odometry = run_method(
-      setup.odometry,
-      {.as_recorded = input.log, .prepared = input.log, .rng = input.rng.stream("odometry")});
-  const double odometry = error_of(by_odometry.estimate, relations);
+  const double odometry = odometry_error_of(setup, input, relations);
   const double told = told_faults(input.faults, estimate.remarks, options.told_within);
   const bool is_compared = !std::isnan(error) || estimate.trajectory.empty();
   const bool is_kept = error <= options.allowed_times * clean.error + options.allowed_more &&
