@@ -93,9 +93,8 @@ class Recorder {
  private:
   std::string report(double since) const {
     const Pose2& robot = simulation_.now().robot;
-    return fmt::format("the robot has stood at ({:.2f} m, {:.2f} m) since {:.1f} s, stuck by {}",
-                       robot.x, robot.y, since + options_.first_stamp,
-                       what_is_in_the_way(simulation_));
+    return fmt::format("the robot has stood at ({:.2f} m, {:.2f} m) since {:.1f} s, {}", robot.x,
+                       robot.y, since + options_.first_stamp, what_is_in_the_way(simulation_));
   }
 
   void take_readings() {

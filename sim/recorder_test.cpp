@@ -102,6 +102,13 @@ TEST(Recorder, ARobotThatIsStuckIsToldWhereAndByWhatAndTheRecordingEnds) {
                   "s, stuck by 'crate'"));
 }
 
+TEST(Recorder, ARobotThatStandsForNoReasonTouchesNothing) {
+  AlwaysAhead driver;  // in 0.2 s it has come no 5 cm far
+  Simulation simulation(small_room(8.0, 5.0), small_robot(), {1.0, 2.5, 0.0}, {}, Rng(1));
+  EXPECT_THAT(record(simulation, driver, {.stuck_after = 0.2}, Rng(1)).end.stuck,
+              ::testing::HasSubstr("though it touches nothing; nearest to it is 'west wall'"));
+}
+
 TEST(Recorder, ADriverThatRestsIsNotStuckNorOneWhoseTimeIsOver) {
   AlwaysAhead resting(30.0);
   EXPECT_EQ(end_of_drive_into(block("crate", {4.0, 2.5}, {1.0, 1.0}), resting, 35.0).stuck, "");

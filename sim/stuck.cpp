@@ -37,7 +37,7 @@ const Obstacle* nearest_person(const Simulation& simulation) {
 
 std::string nearest_thing(const Simulation& simulation) {
   const World& world = simulation.world();
-  std::string name = "nothing that is near";
+  std::string name = "nothing";
   double least = std::numeric_limits<double>::infinity();
   for (const Footprint& f : footprints(world, kOverTheFloor, simulation.robot().height)) {
     const Entity& entity = world.entities[static_cast<std::size_t>(f.entity)];
@@ -65,11 +65,12 @@ bool StuckWatch::is_stuck(const Situation& now, bool is_resting) {
 
 std::string what_is_in_the_way(const Simulation& simulation) {
   if (const auto touch = simulation.touched()) {
-    if (touch->entity >= 0) return "'" + simulation.entity(touch->entity).name + "'";
-    return name_of(simulation.obstacles()[static_cast<std::size_t>(touch->mover)]);
+    if (touch->entity >= 0) return "stuck by '" + simulation.entity(touch->entity).name + "'";
+    return "stuck by " + name_of(simulation.obstacles()[static_cast<std::size_t>(touch->mover)]);
   }
   const Obstacle* person = nearest_person(simulation);
-  return person != nullptr ? name_of(*person) : nearest_thing(simulation);
+  if (person != nullptr) return "stuck by " + name_of(*person);
+  return "though it touches nothing; nearest to it is " + nearest_thing(simulation);
 }
 
 }  // namespace mapbed

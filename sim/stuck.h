@@ -23,8 +23,8 @@ class StuckWatch {
   bool has_begun_ = false;
 };
 
-// "column 3", "somebody at (2.00 m, 1.50 m)": what the robot touches, else who stands before it,
-// else the nearest thing.
+// "stuck by 'column 3'", "stuck by somebody at (2.00 m, 1.50 m)": what the robot touches, else who
+// stands near it; else that it touches nothing, and what is nearest.
 std::string what_is_in_the_way(const Simulation& simulation);
 
 }  // namespace mapbed
