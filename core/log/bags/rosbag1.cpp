@@ -14,6 +14,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::size_t kLongestHeader = 1 << 20;  // [bytes] of a record
+constexpr std::size_t kMostConnections = 1 << 16;
 
 enum class Op : std::uint8_t {
   message = 2,
@@ -157,6 +158,7 @@ void Rosbag1Reader::read_connection(const Record& record) {
   const auto connection = number<std::uint32_t>(record.header, "conn");
   if (!connection) return damaged("record");
   if (topic_of_connection_.contains(*connection)) return;
+  if (topic_of_connection_.size() == kMostConnections) return damaged("record");
   BagTopic topic;
   topic.name = field(record.header, "topic");
   topic.type = field(record.data, "type");
