@@ -65,7 +65,9 @@ LaserScan InputStage::checked(LaserScan scan) {
   scan = without_blocked(std::move(scan), findings_.blocked);
   const auto found = findings_.periods.find(scan.laser);
   if (scan.beam_period == 0.0) scan.beam_period = options_.sweep.beam_period;
-  if (found != findings_.periods.end()) scan.beam_period = found->second.beam_period;
+  if (scan.beam_period == 0.0 && found != findings_.periods.end()) {
+    scan.beam_period = found->second.beam_period;
+  }
   return scan;
 }
 

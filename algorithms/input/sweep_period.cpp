@@ -22,7 +22,8 @@ constexpr double kLeastSkew = 0.05;  // [rad] by which two scans are distorted a
 constexpr double kNear = 1.0;        // [s] between them: odometry is good for so long
 constexpr std::size_t kLeastPairs = 10;
 constexpr std::size_t kMostPairs = 60;
-constexpr double kSigmas = 4.0;  // of the mean by which pairs fit better: no chance
+constexpr double kClearlyBetter = 0.75;  // of the mismatch without
+constexpr double kMostOfThem = 0.8;      // of the pairs that fit better
 constexpr HitPointOptions kPoints{.max_range = 15.0, .min_spacing = 0.0, .max_points = 360};
 
 struct Pair {
@@ -92,36 +93,26 @@ double mean_of(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
-// By how many sigmas of their mean the pairs fit better with the one than with the other.
-double gain_in_sigmas(const std::vector<double>& without, const std::vector<double>& with) {
-  const auto count = static_cast<double>(with.size());
-  double sum = 0.0, squares = 0.0;
-  for (std::size_t i = 0; i < with.size(); ++i) {
-    const double gain = without[i] - with[i];
-    sum += gain;
-    squares += gain * gain;
-  }
-  const double mean = sum / count, variance = squares / count - mean * mean;
-  return variance > 0.0 ? mean / std::sqrt(variance / count) : 0.0;
-}
-
-// As stated where nothing else is clearly better.
+// Zero where nothing else is clearly better.
 FoundPeriod period_of(const std::vector<const LaserScan*>& scans, const Trajectory& odometry) {
-  const double stated = scans.front()->beam_period;
-  const FoundPeriod none{.beam_period = stated};
-  if (scans.size() < 2 || odometry.empty()) return none;
+  if (scans.size() < 2 || odometry.empty()) return {};
   const double interval = usual_interval(scans);
-  if (interval < kShortest || interval > kLongest) return none;
+  if (interval < kShortest || interval > kLongest) return {};
   const double period = interval * std::abs(scans.front()->bearing_step) / (2.0 * kPi);
   const double duration = period * static_cast<double>(scans.front()->ranges.size());
   const std::vector<Pair> pairs = telling_pairs(scans, odometry, duration);
-  if (pairs.size() < kLeastPairs) return none;
-  const std::vector<double> without = mismatches_of(pairs, odometry, stated);
+  if (pairs.size() < kLeastPairs) return {};
+  const std::vector<double> without = mismatches_of(pairs, odometry, 0.0);
   FoundPeriod best{
-      .beam_period = stated, .mismatch = mean_of(without), .mismatch_before = mean_of(without)};
+      .beam_period = 0.0, .mismatch = mean_of(without), .mismatch_before = mean_of(without)};
   for (const double candidate : {period, -period}) {
     const std::vector<double> with = mismatches_of(pairs, odometry, candidate);
-    if (gain_in_sigmas(without, with) > kSigmas && mean_of(with) < best.mismatch) {
+    std::size_t better = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) better += with[i] < without[i] ? 1 : 0;
+    const double needed = kMostOfThem * static_cast<double>(pairs.size());
+    const bool fits_better = mean_of(with) < (kClearlyBetter * best.mismatch_before);
+    const bool is_clear = fits_better && static_cast<double>(better) > needed;
+    if (is_clear && mean_of(with) < best.mismatch) {
       best.beam_period = candidate;
       best.mismatch = mean_of(with);
     }
@@ -135,14 +126,14 @@ std::map<int, FoundPeriod> found_periods(const SensorLog& log) {
   std::map<int, std::vector<const LaserScan*>> lasers;
   for (const Measurement& measurement : log) {
     const auto* scan = std::get_if<LaserScan>(&measurement);
-    if (scan == nullptr || scan->ranges.size() < 2) continue;
+    if (scan == nullptr || scan->beam_period != 0.0 || scan->ranges.size() < 2) continue;
     lasers[scan->laser].push_back(scan);
   }
   const Trajectory odometry = odometry_of(log);
   std::map<int, FoundPeriod> result;
   for (const auto& [laser, scans] : lasers) {
     const FoundPeriod found = period_of(scans, odometry);
-    if (found.beam_period != scans.front()->beam_period) result[laser] = found;
+    if (found.beam_period != 0.0) result[laser] = found;
   }
   return result;
 }

@@ -23,16 +23,16 @@ void visit_fields(SweepOptions& o, Visitor&& visit) {
         "take beams one after the other where scans of a turning robot fit clearly better so");
 }
 
-// How long a laser takes from beam to beam, where the log does not state it, or other than it is.
+// What the log does not state of a laser: how long it takes from beam to beam.
 struct FoundPeriod {
   double beam_period = 0.0;      // [s]
   double mismatch = 0.0;         // [m] of scans about a turn, with it
-  double mismatch_before = 0.0;  // [m] with what the log states
+  double mismatch_before = 0.0;  // [m] without
 };
 
-// By laser: those of which there is clear evidence that they sweep all the time between two stamps
-// and the log does not state it, or states another period. Scans that the robot took while it
-// turned and while it did not are then distorted against each other.
+// By laser: lasers of which the log does not state it, where there is clear evidence that they
+// sweep all the time between two stamps. Scans that the robot took while it turned and while it did
+// not are then distorted against each other.
 std::map<int, FoundPeriod> found_periods(const SensorLog& log);
 
 std::vector<Remark> remarks_on(const std::map<int, FoundPeriod>& periods);
