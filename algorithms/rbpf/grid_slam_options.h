@@ -32,8 +32,10 @@ struct GridSlamOptions {
                                      .translation_per_rotation = 0.02,
                                      .least_rotation_sigma = 0.004,
                                      .least_translation_sigma = 0.005};
-  // It sees as far as maps do.
-  IncrementalMatcherOptions matcher{.points = {.max_range = BeamLimits{}.usable_range},
+  // It sees as far as maps do. Single far hits down a corridor shall not decide where the robot is;
+  // scan matching alone is better off without that where odometry errs much.
+  IncrementalMatcherOptions matcher{.weigh_footprints = true,
+                                    .points = {.max_range = BeamLimits{}.usable_range},
                                     .local_map = {.max_scans = 40}};
   bool best_only_after_loop = false;
   LoopClosingOptions loop_closing;

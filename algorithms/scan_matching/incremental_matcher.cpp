@@ -117,10 +117,16 @@ ScanMatch IncrementalMatcher::match(const LaserScan& scan, std::span<const float
 IncrementalMatcher::Hits IncrementalMatcher::hits_of(const LaserScan& scan,
                                                      std::span<const float> beam_weights) const {
   const HitPointOptions& points = options_.points;
-  const std::vector<float> footprints =
-      footprint_weights(scan, points.max_range, options_.local_map.max_gap, options_.field.sigma);
-  return {hit_points(scan, points), hit_point_weights(scan, points, beam_weights),
-          hit_point_weights(scan, points, footprints), scan.robot_from_laser.planar};
+  Hits hits{hit_points(scan, points),
+            hit_point_weights(scan, points, beam_weights),
+            {},
+            scan.robot_from_laser.planar};
+  if (options_.weigh_footprints) {
+    const std::vector<float> footprints =
+        footprint_weights(scan, points.max_range, options_.local_map.max_gap, options_.field.sigma);
+    hits.footprints = hit_point_weights(scan, points, footprints);
+  }
+  return hits;
 }
 
 // Beams err together, so that another place must explain clearly more of the scan than the one
@@ -269,14 +275,16 @@ IncrementalMatcher::KnownPoints IncrementalMatcher::points_on_lines(const Hits& 
 IncrementalMatcher::KnownPoints IncrementalMatcher::kept(const Hits& hits,
                                                          const std::vector<bool>& keeps) const {
   std::vector<Eigen::Vector2d> points;
-  std::vector<float> weights, searched;
+  std::vector<float> searched, climbed;
   for (std::size_t i = 0; i < hits.points.size(); ++i) {
     if (!keeps[i]) continue;
     points.push_back(hits.points[i]);
-    weights.push_back(hits.footprints[i] * (hits.weights.empty() ? 1.0F : hits.weights[i]));
-    if (!hits.weights.empty()) searched.push_back(hits.weights[i]);
+    const float weight = hits.weights.empty() ? 1.0F : hits.weights[i];
+    if (!hits.weights.empty()) searched.push_back(weight);
+    if (!hits.footprints.empty()) climbed.push_back(weight * hits.footprints[i]);
   }
-  return {to_field_points(points, local_scans_.field().resolution(), std::move(weights)),
+  if (hits.footprints.empty()) climbed = searched;
+  return {to_field_points(points, local_scans_.field().resolution(), std::move(climbed)),
           std::move(searched)};
 }
 

@@ -61,7 +61,7 @@ class IncrementalMatcher : public Estimator {
   struct Hits {
     std::vector<Eigen::Vector2d> points;  // [m] in the robot frame
     std::vector<float> weights;           // of beams, as told; empty: all count fully
-    std::vector<float> footprints;        // how much they count by their footprints
+    std::vector<float> footprints;        // as they count by these; empty: fully
     Pose2 robot_from_laser;
   };
   // Those of its points that are matched. A search for where most of them fit takes them alike: how

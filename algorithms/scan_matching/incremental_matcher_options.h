@@ -18,6 +18,7 @@ struct IncrementalMatcherOptions {
   Alignment alignment = Alignment::hill_climbing;
   bool use_odometry = true;   // false: predict from the last motion alone, as where a log has none
   double search_below = 0.7;  // a climb that explains less of the scan is checked by a search
+  bool weigh_footprints = false;  // footprint_weights.h
   HitPointOptions points;
   LocalMapOptions local_map;
   LikelihoodFieldOptions field;
@@ -36,6 +37,10 @@ void visit_fields(IncrementalMatcherOptions& o, Visitor&& visit) {
   visit("use_odometry", o.use_odometry, "false: predict from the last motion alone");
   visit("search_below", o.search_below, kFraction,
         "hill climbing that explains a smaller fraction of the scan is checked by a search");
+  visit("weigh_footprints", o.weigh_footprints,
+        "a hit counts by how exactly its beam tells where it is, across the beam: less far off, "
+        "where "
+        "the surface is aslant or unknown");
   visit("points", o.points, "which points of a scan are matched");
   visit("local_map", o.local_map, "which past scans are matched against");
   visit("field", o.field, "the smoothed local map");
