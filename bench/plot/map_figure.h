@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithms/grid/occupancy_map.h"
+#include "core/image/image.h"
+
+namespace mapbed {
+
+struct NamedMap {
+  std::string name;  // above it; may be empty
+  OccupancyMap map;
+};
+
+// Several maps as one figure, all at the same scale whatever their resolutions are: left to right,
+// four and more in a square; below, one scale bar and a legend. The maps of a row together, and
+// those of a column, are `longest_side` pixels long at most.
+RgbImage figure_of(const std::vector<NamedMap>& maps, int longest_side);
+
+}  // namespace mapbed
