@@ -39,11 +39,9 @@ SweepAxis axis_of(const std::string& path, std::vector<std::string> texts) {
 }
 
 SweepAxis named_axis_of(const std::string& path, const ConfigNode& names) {
-  SweepAxis axis{.path = path, .place = names.place()};
-  for (const std::string& name : names.keys()) {
-    axis.texts.push_back(name);
-    axis.sets.push_back(settings_of(names.at(name)));
-  }
+  SweepAxis axis = axis_of(path, names.keys());
+  axis.place = names.place();
+  for (const std::string& name : axis.texts) axis.sets.push_back(settings_of(names.at(name)));
   return axis;
 }
 
@@ -61,7 +59,7 @@ std::string names_text(const SweepAxis& axis) {
 
 SweepAxis with_values(const SweepAxis& axis, const std::vector<std::string>& texts,
                       const SourceLocation& place) {
-  SweepAxis result = axis.sets.empty() ? axis_of(axis.path, texts) : SweepAxis{axis.path, texts};
+  SweepAxis result = axis_of(axis.path, texts);
   result.place = place;
   if (axis.sets.empty()) return result;
   for (const std::string& text : texts) {

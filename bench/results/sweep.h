@@ -28,6 +28,8 @@ struct Level {
 SweepAxis axis_of(const std::string& path, std::vector<std::string> texts);
 
 // Of names, a map of each to its settings: `{near: {world: hall}, far: {world: mine, people: 3}}`.
+// Names may be numbers, so that plots have several options together along x:
+// `{1 cm: {a.sigma: 1 cm, b.sigma: 1 cm}, 2 cm: {a.sigma: 2 cm, b.sigma: 2 cm}}`.
 SweepAxis named_axis_of(const std::string& path, const ConfigNode& names);
 
 // As named_axis_of reads it, on one line.

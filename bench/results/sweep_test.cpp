@@ -56,6 +56,19 @@ TEST(Sweep, NamesStandForSeveralSettings) {
   EXPECT_EQ(value[0].text, "5 cm");
 }
 
+TEST(Sweep, NamesThatAreNumbersTieOptionsAndHaveAPlaceAlongX) {
+  const SweepAxis axis =
+      named_axis_of("noise", parse_config("1 cm: {front.sigma: 1 cm, rear.sigma: 1 cm}\n"
+                                          "5 cm: {front.sigma: 5 cm, rear.sigma: 5 cm}\n",
+                                          {"x.yaml", 1}));
+  EXPECT_THAT(axis.numbers, ElementsAre(1.0, 5.0));
+  EXPECT_EQ(axis.unit, "cm");
+  EXPECT_EQ(settings_at(axis, 1).at(1).text, "5 cm");
+  const SweepAxis one = with_values(axis, {"5 cm"}, {"--set", 0});
+  EXPECT_THAT(one.numbers, ElementsAre(5.0));
+  EXPECT_EQ(settings_at(one, 0).at(0).path, "front.sigma");
+}
+
 TEST(Sweep, NamesAreWrittenAsTheyAreRead) {
   const std::string text = names_text(places());
   EXPECT_EQ(text, "{hall: {world: museum}, maze: {world: office, crowd.people: 3}, nothing: {}}");

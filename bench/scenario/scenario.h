@@ -24,7 +24,7 @@ namespace mapbed {
 //   sweep:
 //     robot.odometry.rotation_sigma: [0 deg, 1 deg, 2 deg]
 //     place: {hall: {world: museum}, maze: {world: office, people: 3}}   # several options, by
-//     names
+//     names; by numbers, as in {1 cm: {…}, 2 cm: {…}}, they stand along a plot's x together
 //   compare:
 //     raw: {estimator: odometry, seeds: 1}   # fewer than the others, where chance has no part in
 //     it matched: {estimator: scan_matching}
