@@ -11,11 +11,13 @@
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/progress.h"
+#include "bench/plot/map_figure.h"
 #include "bench/plot/map_picture.h"
 #include "bench/plot/world_picture.h"
 #include "core/config/quantity.h"
 #include "core/file/atomic_file.h"
 #include "core/geometry/tum_file.h"
+#include "core/image/pdf.h"
 #include "core/image/png.h"
 #include "core/input_error.h"
 
@@ -23,7 +25,7 @@ namespace mapbed {
 namespace {
 
 struct RenderArguments {
-  std::string map;
+  std::vector<std::string> maps;  // or one world
   std::string output;
   std::string resolution;
   std::vector<std::string> trajectories;
@@ -37,7 +39,7 @@ struct RenderArguments {
 
 RgbImage picture_of_world(const RenderArguments& arguments) {
   WorldPicture picture = arguments.world;
-  picture.world = arguments.map;
+  picture.world = arguments.maps.front();
   for (const std::string& option : arguments.world_options) {
     picture.world_settings.push_back(parse_setting(option));
   }
@@ -52,13 +54,15 @@ RgbImage picture_of_world(const RenderArguments& arguments) {
   return picture_of(picture);
 }
 
+std::optional<double> resolution_of(const RenderArguments& arguments) {
+  if (arguments.resolution.empty()) return {};
+  const double resolution = parse_quantity(arguments.resolution, Unit::meter, {"--resolution", 0});
+  if (!(resolution > 0.0)) throw InputError("--resolution must be greater than 0 m");
+  return resolution;
+}
+
 RgbImage picture_of_map(const RenderArguments& arguments) {
-  std::optional<double> resolution;
-  if (!arguments.resolution.empty()) {
-    resolution = parse_quantity(arguments.resolution, Unit::meter, {"--resolution", 0});
-    if (!(*resolution > 0.0)) throw InputError("--resolution must be greater than 0 m");
-  }
-  const OccupancyMap map = read_map(arguments.map, resolution);
+  const OccupancyMap map = read_map(arguments.maps.front(), resolution_of(arguments));
   std::vector<DrawnPath> paths;
   for (const std::string& path : arguments.trajectories) {
     const std::string name = paths.size() < arguments.names.size()
@@ -69,12 +73,38 @@ RgbImage picture_of_map(const RenderArguments& arguments) {
   return picture_of(map, paths, arguments.picture);
 }
 
+RgbImage picture_of_maps(const RenderArguments& arguments) {
+  if (!arguments.trajectories.empty()) {
+    throw InputError("--trajectory is drawn over one map, and there are several");
+  }
+  std::vector<NamedMap> maps;
+  for (const std::string& path : arguments.maps) {
+    if (is_world(path)) {
+      throw InputError({path}, "is a world; only maps are drawn together");
+    }
+    const std::string name = maps.size() < arguments.names.size()
+                                 ? arguments.names[maps.size()]
+                                 : std::filesystem::path(path).stem().string();
+    maps.push_back({name, read_map(path, resolution_of(arguments))});
+  }
+  return figure_of(maps, arguments.picture.longest_side);
+}
+
+RgbImage picture_of(const RenderArguments& arguments) {
+  if (arguments.maps.size() > 1) return picture_of_maps(arguments);
+  return is_world(arguments.maps.front()) ? picture_of_world(arguments) : picture_of_map(arguments);
+}
+
+constexpr double kPixel = 0.15;  // [mm] in a PDF
+
 int render(const RenderArguments& arguments) {
   check_writable(arguments.output);
-  const RgbImage image = while_told("drawing", [&] {
-    return is_world(arguments.map) ? picture_of_world(arguments) : picture_of_map(arguments);
-  });
-  write_png(arguments.output, image);
+  const RgbImage image = while_told("drawing", [&] { return picture_of(arguments); });
+  if (std::filesystem::path(arguments.output).extension() == ".pdf") {
+    write_file(arguments.output, pdf_of(image, kPixel * image.width()));
+  } else {
+    write_png(arguments.output, image);
+  }
   fmt::print("{}: {} x {} pixels\n", arguments.output, image.width(), image.height());
   return kDone;
 }
@@ -95,25 +125,26 @@ Command render_command() {
       .help = "Draw a map with its trajectories, or a world",
       .options =
           {{.name = "MAP|WORLD",
-            .target = &a.map,
+            .target = &a.maps,
             .help =
-                "map.yaml as map servers read it, or a .png or .pgm with such a file beside it; or "
-                "a world's name or file",
+                "map.yaml as map servers read it, or a .png or .pgm with such a file beside it; "
+                "several are drawn at one scale; or a world's name or file",
             .is_required = true},
            {.name = "-o,--output",
             .target = &a.output,
-            .help = "the picture, a PNG file",
+            .help = "the picture, a PNG file; of the ending .pdf a PDF file",
             .is_required = true},
            {"--trajectory", &a.trajectories,
             "poses to draw, lines 't x y z qx qy qz qw' or 't x y theta'; may come again"},
            {"--name", &a.names,
-            "the trajectory's name in the legend, in the same order; its file's name "
-            "where left out"},
+            "the trajectory's name in the legend, or of several maps a map's, in the same order; "
+            "its "
+            "file's name where left out"},
            {"--resolution", &a.resolution,
             "side of a picture's cell, as in '5 cm', where no .yaml says it"},
            {.name = "--size",
             .target = &a.picture.longest_side,
-            .help = "[pixels] of the map's longer side, at most",
+            .help = "[pixels] of the map's longer side, or of several in a row, at most",
             .check = IntRange{100, 16000},
             .shows_default = true},
            world_option(

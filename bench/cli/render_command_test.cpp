@@ -52,6 +52,19 @@ TEST_F(RenderCommand, DrawsARobotOnItsWayThroughAWorld) {
   EXPECT_NE(read_samples(path("alone.png")), read_samples(path("together.png")));
 }
 
+TEST_F(RenderCommand, DrawsSeveralMapsInOneFigureAsPngOrPdf) {
+  const Outcome one = call({"render", "room.yaml", "-o", "one.png"});
+  const Outcome two = call({"render", "room.yaml", "room.yaml", "-o", "two.png", "--name", "a"});
+  ASSERT_EQ(two.status, 0) << two.err;
+  EXPECT_GT(read_samples(path("two.png")).width, read_samples(path("one.png")).width + 200);
+  const Outcome pdf = call({"render", "room.yaml", "room.yaml", "-o", "two.pdf"});
+  ASSERT_EQ(pdf.status, 0) << pdf.err;
+  EXPECT_EQ(text("two.pdf").substr(0, 5), "%PDF-");
+  expect_refusal({"render", "room.yaml", "office", "-o", "x.png"}, "only maps are drawn together");
+  expect_refusal({"render", "room.yaml", "room.yaml", "-o", "x.png", "--trajectory", "drive.txt"},
+                 "--trajectory is drawn over one map");
+}
+
 TEST_F(RenderCommand, SaysWhatIsWrongWithAWorld) {
   expect_refusal({"render", "offce", "-o", "x.png"}, "did you mean 'office'?");
   expect_refusal({"render", "office", "-o", "x.png", "--camera", "veiw=plan"}, "'view'");

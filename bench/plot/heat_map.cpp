@@ -114,10 +114,11 @@ std::string color_bar(const HeatMap& map, const PlotArea& area, const Scale& col
                        coordinate(y));
     svg += svg_text(x + kBarWidth + 6.0, y + 4.0, tick.text, {12.0});
   }
-  const double at = std::min(x + kBarWidth + 6.0 + widest + 20.0, kPlotWidth - 8.0);
+  const double at = std::min(x + kBarWidth + 6.0 + widest + 18.0, kPlotWidth - 8.0);
   const double middle = area.top + area.height / 2;
+  const double size = fitting_size(title_of(map.value), kTextSize, 1.1 * area.height);
   return svg + svg_text(at, middle, title_of(map.value),
-                        {kTextSize, "middle",
+                        {size, "middle",
                          fmt::format("transform=\"rotate(-90 {} {})\"", coordinate(at),
                                      coordinate(middle))});
 }

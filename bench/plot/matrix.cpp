@@ -14,12 +14,13 @@
 namespace mapbed {
 namespace {
 
-constexpr double kSmall = 9.5;       // [px] size of the names
-constexpr double kRow = 13.0;        // [px] height of a cell
-constexpr double kWidest = 60.0;     // [px] of a cell
-constexpr double kEdge = 10.0;       // [px] around everything
-constexpr double kBarHeight = 10.0;  // [px] of the colour scale
-constexpr double kBetween = 4.0;     // [px] between groups of columns
+constexpr double kSmall = 9.5;                   // [px] size of the names
+constexpr double kRow = 13.0;                    // [px] height of a cell
+constexpr double kWidest = 60.0;                 // [px] of a cell
+constexpr double kEdge = 10.0;                   // [px] around everything
+constexpr double kBarHeight = 10.0;              // [px] of the colour scale
+constexpr double kBetween = 4.0;                 // [px] between groups of columns
+constexpr double kRowNames = 0.45 * kPlotWidth;  // [px] at most
 
 void check(const Matrix& matrix) {
   CHECK(!matrix.rows.empty() && !matrix.columns.empty());
@@ -43,11 +44,11 @@ struct Grid {
 double widest(const std::vector<std::string>& texts) {
   double width = 0.0;
   for (const std::string& text : texts) width = std::max(width, svg_text_width(text, kSmall));
-  return 1.06 * width;
+  return width;
 }
 
 Grid grid_of(const Matrix& matrix, double top) {
-  Grid grid{.left = kEdge + widest(matrix.rows) + 6.0, .top = top};
+  Grid grid{.left = kEdge + std::min(widest(matrix.rows), kRowNames) + 6.0, .top = top};
   double groups = 0.0;
   for (std::size_t i = 1; i < matrix.columns.size(); ++i) groups += begins_group(matrix, i) ? 1 : 0;
   const double room = kPlotWidth - kEdge - grid.left - groups * kBetween;
@@ -132,7 +133,8 @@ std::string names(const Matrix& matrix, const Grid& grid) {
   std::string svg;
   for (std::size_t row = 0; row < matrix.rows.size(); ++row) {
     const double y = grid.top + kRow * (static_cast<double>(row) + 0.5) + 0.35 * kSmall;
-    svg += svg_text(grid.left - 5.0, y, matrix.rows[row], {kSmall, "end"});
+    const double size = fitting_size(matrix.rows[row], kSmall, kRowNames);
+    svg += svg_text(grid.left - 5.0, y, matrix.rows[row], {size, "end"});
   }
   const double bottom = grid.top + kRow * static_cast<double>(matrix.rows.size());
   for (std::size_t column = 0; column < matrix.columns.size(); ++column) {
@@ -143,15 +145,17 @@ std::string names(const Matrix& matrix, const Grid& grid) {
     if (!begins_group(matrix, column)) continue;
     std::size_t end = column + 1;
     while (end < matrix.columns.size() && !begins_group(matrix, end)) ++end;
-    svg += svg_text((grid.x[column] + grid.x[end - 1] + grid.cell) / 2, grid.top - 5.0,
-                    matrix.columns[column].group, {kSmall + 1.0, "middle"});
+    const std::string& group = matrix.columns[column].group;
+    const double width = grid.x[end - 1] + grid.cell - grid.x[column];
+    const double size = fitting_size(group, kSmall + 1.0, width + kBetween);
+    svg += svg_text(grid.x[column] + width / 2, grid.top - 5.0, group, {size, "middle"});
   }
   return svg;
 }
 
 std::string color_bar(const Matrix& matrix, const Scale& colors, double left, double y) {
   constexpr int kSteps = 60;
-  const double width = std::min(220.0, kPlotWidth - kEdge - left);
+  const double width = std::min(220.0, kPlotWidth - 2 * kEdge - left);
   std::string svg;
   for (int i = 0; i < kSteps; ++i) {
     svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
@@ -166,7 +170,8 @@ std::string color_bar(const Matrix& matrix, const Scale& colors, double left, do
                        coordinate(y + kBarHeight));
     svg += svg_text(x, y + kBarHeight + 5.0 + kSmall, tick.text, {kSmall, "middle"});
   }
-  return svg + svg_text(left - 8.0, y + kBarHeight - 1.0, title_of(matrix.value), {kSmall, "end"});
+  const double size = fitting_size(title_of(matrix.value), kSmall, left - 8.0 - kEdge);
+  return svg + svg_text(left - 8.0, y + kBarHeight - 1.0, title_of(matrix.value), {size, "end"});
 }
 
 FrameText head_text(const Matrix& matrix, const Scale& colors) {
@@ -192,8 +197,8 @@ std::string svg_of(const Matrix& matrix) {
   for (const Matrix::Column& column : matrix.columns) columns.push_back(column.name);
   double y = grid.top + kRow * static_cast<double>(matrix.rows.size());
   y += 5.0 + widest(columns) + 10.0;
-  const double bar =
-      std::max(grid.left, kEdge + 8.0 + 1.06 * svg_text_width(title_of(matrix.value), kSmall));
+  const double title = svg_text_width(title_of(matrix.value), kSmall);
+  const double bar = std::max(grid.left, kEdge + 8.0 + std::min(title, 0.5 * kPlotWidth));
   content += color_bar(matrix, colors, bar, y);
   return svg_file(y + kBarHeight + 5.0 + 1.3 * kSmall + kEdge, matrix.title, content);
 }

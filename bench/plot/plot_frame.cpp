@@ -22,11 +22,14 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
 }
 
 // Writes lines of text from `y` down and moves `y` below them.
-std::string paragraph(const std::string& text, double size, const std::string& more, double& y) {
+std::string paragraph(const std::string& text, double size, FontWeight weight, double& y) {
+  constexpr double kWidth = kPlotWidth - 2 * kEdge;
+  const char* more = weight == FontWeight::bold ? "font-weight=\"bold\"" : "fill=\"#444\"";
   std::string result;
-  for (const std::string& words : wrapped(text, size * 1.04, kPlotWidth - 2 * kEdge)) {
+  for (const std::string& words : wrapped(text, size, kWidth, weight)) {
     y += size * kLine;
-    result += svg_text(kEdge, y - 0.3 * size, words, {size, "start", more});
+    const double fitting = fitting_size(words, size, kWidth, weight);
+    result += svg_text(kEdge, y - 0.3 * size, words, {fitting, "start", more});
   }
   return result;
 }
@@ -37,14 +40,15 @@ std::string legend_at(const std::vector<LegendEntry>& legend, double& y) {
   double x = kEdge;
   y += 4.0;
   for (const LegendEntry& entry : legend) {
-    const double width = kSymbol + kGap + 1.06 * svg_text_width(entry.name, kSmall) + kBetween;
+    const double size = fitting_size(entry.name, kSmall, kPlotWidth - 2 * kEdge - kSymbol - kGap);
+    const double width = kSymbol + kGap + svg_text_width(entry.name, size) + kBetween;
     if (x > kEdge && x + width > kPlotWidth - kEdge + kBetween) {
       x = kEdge;
       y += kRow;
     }
     result += fmt::format("<g transform=\"translate({} {})\">{}</g>\n", coordinate(x),
                           coordinate(y + 3.0), entry.symbol);
-    result += svg_text(x + kSymbol + kGap, y + 13.0, entry.name, {kSmall});
+    result += svg_text(x + kSymbol + kGap, y + 13.0, entry.name, {size});
     x += width;
   }
   if (!legend.empty()) y += kRow;
@@ -60,10 +64,39 @@ double widest(const std::vector<Tick>& ticks) {
 // Names of categories that are too long to stand side by side are turned.
 bool turned(const Axis& axis, const std::vector<Tick>& ticks, double width) {
   if (axis.categories.empty()) return false;
-  return 1.06 * widest(ticks) > width / static_cast<double>(axis.categories.size());
+  return widest(ticks) > width / static_cast<double>(axis.categories.size());
 }
 
-constexpr double kTurn = 35.0;  // [deg]
+constexpr double kTurn = 35.0;                        // [deg]
+constexpr double kTurnCos = 0.819, kTurnSin = 0.574;  // of it
+constexpr double kTurnShift = 4.0;                    // [px] a turned name ends right of its tick
+constexpr double kLeftmost = 2.0;                     // [px] where the longest of them may begin
+
+// How wide a turned name at a tick at `x` may be.
+double room_of_turned(double x) {
+  return (x + kTurnShift - kLeftmost) / kTurnCos;
+}
+
+// Where the area must begin at least, for the turned names to lie in the picture; not beyond the
+// middle of it. `right` is where it ends.
+double left_for_turned(const std::vector<Tick>& ticks, const Scale& scale, double right) {
+  double left = 0.0;
+  for (const Tick& tick : ticks) {
+    const double at = scale.fraction(tick.value);
+    const double x = svg_text_width(tick.text, kSmall) * kTurnCos + kLeftmost - kTurnShift;
+    left = std::max(left, (x - at * right) / std::max(1.0 - at, 0.01));
+  }
+  return std::min(left, 0.5 * right);
+}
+
+// [px] of the right half of a name that stands at the area's right end.
+double beyond_right(const std::vector<Tick>& ticks, const Scale& scale) {
+  for (auto tick = ticks.rbegin(); tick != ticks.rend(); ++tick) {
+    if (tick->text.empty()) continue;
+    return scale.fraction(tick->value) > 0.9 ? svg_text_width(tick->text, kSmall) / 2 : 0.0;
+  }
+  return 0.0;
+}
 
 std::string x_axis(const PlotArea& area, const Axis& axis, const std::vector<Tick>& ticks,
                    std::string& grid, double& y) {
@@ -78,17 +111,20 @@ std::string x_axis(const PlotArea& area, const Axis& axis, const std::vector<Tic
     const double base = area.bottom() + 5.0 + kSmall;
     if (is_turned) {
       const std::string turn = fmt::format("transform=\"rotate({} {} {})\"", -kTurn,
-                                           coordinate(x + 4.0), coordinate(base - 2.0));
-      result += svg_text(x + 4.0, base - 2.0, tick.text, {kSmall, "end", turn});
+                                           coordinate(x + kTurnShift), coordinate(base - 2.0));
+      const double size = fitting_size(tick.text, kSmall, room_of_turned(x));
+      result += svg_text(x + kTurnShift, base - 2.0, tick.text, {size, "end", turn});
     } else {
       result += svg_text(x, base, tick.text, {kSmall, "middle"});
     }
   }
   y = area.bottom() + 5.0 + 1.2 * kSmall;
-  if (is_turned) y += widest(ticks) * std::sin(kTurn * 3.14159265 / 180.0);
+  if (is_turned) y += widest(ticks) * kTurnSin;
   y += kTextSize * kLine;
-  result += svg_text(area.left + area.width / 2, y, title_of(axis), {kTextSize, "middle"});
-  return result;
+  const double middle = area.left + area.width / 2;
+  const double room = 2 * (std::min(middle, kPlotWidth - middle) - kLeftmost);
+  const double size = fitting_size(title_of(axis), kTextSize, room);
+  return result + svg_text(middle, y, title_of(axis), {size, "middle"});
 }
 
 std::string y_axis(const PlotArea& area, const Axis& axis, const std::vector<Tick>& ticks,
@@ -106,10 +142,8 @@ std::string y_axis(const PlotArea& area, const Axis& axis, const std::vector<Tic
   const double y = area.top + area.height / 2;
   const std::string turn =
       fmt::format("transform=\"rotate(-90 {} {})\"", coordinate(x), coordinate(y));
-  // A long title is set smaller rather than cut off.
-  const double width = svg_text_width(title_of(axis), kTextSize);
-  const double size = kTextSize * std::min(1.0, 1.1 * area.height / width);
-  return result + svg_text(x, y, title_of(axis), {width > 0.0 ? size : kTextSize, "middle", turn});
+  const double size = fitting_size(title_of(axis), kTextSize, 1.1 * area.height);
+  return result + svg_text(x, y, title_of(axis), {size, "middle", turn});
 }
 
 void widen(Scale& scale, double span) {
@@ -138,8 +172,8 @@ std::string svg_text(double x, double y, const std::string& text, const SvgTextS
 
 std::string head_of(const FrameText& text, double& below) {
   below = 4.0;
-  std::string head = paragraph(text.title, 14.5, "font-weight=\"bold\"", below);
-  head += paragraph(text.subtitle, kSmall, "fill=\"#444\"", below);
+  std::string head = paragraph(text.title, 14.5, FontWeight::bold, below);
+  head += paragraph(text.subtitle, kSmall, FontWeight::regular, below);
   head += legend_at(text.legend, below);
   return head;
 }
@@ -156,13 +190,19 @@ PlotFrame frame_of(const FrameText& text, const Axis& x, const Axis& y, const Sc
   area.top = below + 10.0;
   area.height = kAreaHeight;
   std::vector<Tick> y_ticks = ticks_of(y, y_scale, 6);
-  area.left = kEdge + 1.5 * kTextSize + 1.06 * widest(y_ticks) + 8.0;
-  area.width = kPlotWidth - area.left - kEdge - 4.0 - text.free_right;
+  area.left = kEdge + 1.5 * kTextSize + widest(y_ticks) + 8.0;
+  const int x_count = x_scale.logarithmic ? 6 : 9;
+  const std::vector<Tick> x_ticks = ticks_of(x, x_scale, x_count);
+  const double right =
+      kPlotWidth - std::max(kEdge + 4.0 + text.free_right, beyond_right(x_ticks, x_scale));
+  if (turned(x, x_ticks, right - area.left)) {
+    area.left = std::max(area.left, left_for_turned(x_ticks, x_scale, right));
+  }
+  area.width = right - area.left;
   if (text.equal_scales) {
     make_scales_equal(area);
     y_ticks = ticks_of(y, area.y, 6);
   }
-  const int x_count = x_scale.logarithmic ? 6 : 9;
   frame.axes = x_axis(area, x, ticks_of(x, area.x, x_count), frame.grid, frame.height);
   frame.axes += y_axis(area, y, y_ticks, frame.grid);
   frame.axes += fmt::format(

@@ -50,6 +50,11 @@ std::string escaped_ascii(char c) {
   return std::string(1, control ? ' ' : c);
 }
 
+// DejaVu Sans by Helvetica: at most 1.17 and, bold, 1.33, of lines of more than eight letters.
+constexpr double kWiden = 1.2;
+constexpr double kBoldWiden = 1.35;
+constexpr double kSign = 0.7;
+
 // Of Helvetica, rounded; in units of the font size.
 double width_of(char c) {
   constexpr std::string_view kThin = "ijl.,:;'|!I";
@@ -87,23 +92,31 @@ std::string coordinate(double value) {
   return text == "-0" ? "0" : text;
 }
 
-double svg_text_width(std::string_view text, double font_size) {
+double svg_text_width(std::string_view text, double font_size, FontWeight weight) {
   double width = 0.0;
   for (const char c : text) {
-    const bool continues = (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-    if (!continues) width += width_of(c);
+    const auto byte = static_cast<unsigned char>(c);
+    const bool continues = (byte & 0xC0) == 0x80;
+    const bool is_sign = byte == 0xE2;  // of three bytes: minus, dashes, arrows
+    if (!continues) width += is_sign ? kSign : width_of(c);
   }
-  return width * font_size;
+  return width * font_size * (weight == FontWeight::bold ? kBoldWiden : kWiden);
 }
 
-std::vector<std::string> wrapped(std::string_view text, double font_size, double width) {
+double fitting_size(std::string_view text, double font_size, double width, FontWeight weight) {
+  const double most = svg_text_width(text, font_size, weight);
+  return most > width ? font_size * width / most : font_size;
+}
+
+std::vector<std::string> wrapped(std::string_view text, double font_size, double width,
+                                 FontWeight weight) {
   std::vector<std::string> lines;
   std::string line;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
     const std::string word(text.substr(0, end));
     const std::string longer = line.empty() ? word : line + " " + word;
-    if (!line.empty() && svg_text_width(longer, font_size) > width) {
+    if (!line.empty() && svg_text_width(longer, font_size, weight) > width) {
       lines.push_back(line);
       line = word;
     } else {

@@ -14,12 +14,20 @@ std::string xml_escaped(std::string_view text);
 // A coordinate with at most two digits after the point: "12", "0.25".
 std::string coordinate(double value);
 
-// How wide a line of text will be in Helvetica or a font like it, in units of `font_size`. The
-// font that is really used may be some per cent wider or narrower.
-double svg_text_width(std::string_view text, double font_size);
+enum class FontWeight { regular, bold };
+
+// How wide a line of text is at most, in units of `font_size`, whichever sans serif font a browser
+// takes: DejaVu Sans and Verdana are a fifth wider than Helvetica.
+double svg_text_width(std::string_view text, double font_size,
+                      FontWeight weight = FontWeight::regular);
+
+// `font_size`, or as much less as it takes for the line to be no wider than `width`.
+double fitting_size(std::string_view text, double font_size, double width,
+                    FontWeight weight = FontWeight::regular);
 
 // Lines no wider than `width` where the words allow it; "\n" begins a new line.
-std::vector<std::string> wrapped(std::string_view text, double font_size, double width);
+std::vector<std::string> wrapped(std::string_view text, double font_size, double width,
+                                 FontWeight weight = FontWeight::regular);
 
 std::string base64(std::string_view bytes);
 

@@ -33,6 +33,18 @@ TEST(SvgText, LettersOfSeveralBytesAreAsWideAsOthers) {
   EXPECT_NEAR(svg_text_width("caf\xC3\xA9", 10.0), svg_text_width("cafe", 10.0), 1e-12);
 }
 
+TEST(SvgText, LeavesRoomForTheWidestFonts) {
+  // DejaVu Sans, measured in a browser: "error [m]" and, bold, "true path", in font sizes.
+  EXPECT_GT(svg_text_width("error [m]", 1.0), 4.493);
+  EXPECT_GT(svg_text_width("true path", 1.0, FontWeight::bold), 5.148);
+  EXPECT_GT(svg_text_width("\u22121", 1.0), 1.474) << "a minus is as wide as a capital";
+}
+
+TEST(SvgText, IsSetSmallerWhereThereIsNotEnoughRoom) {
+  EXPECT_EQ(fitting_size("error", 10.0, 1000.0), 10.0);
+  EXPECT_NEAR(svg_text_width("error", fitting_size("error", 10.0, 7.0)), 7.0, 1e-12);
+}
+
 TEST(Base64, OfTheExamplesInRfc4648) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
