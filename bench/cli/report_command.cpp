@@ -11,6 +11,7 @@
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/progress.h"
+#include "bench/pages/paper_table.h"
 #include "bench/pages/reports.h"
 #include "bench/process/folder_lock.h"
 #include "bench/results/result_folder.h"
@@ -53,20 +54,51 @@ void report(const std::string& folder) {
   for (const std::string& page : pages) fmt::print("written: {}\n", page);
 }
 
+struct ReportArguments {
+  std::vector<std::string> folders;
+  std::string table;
+  std::vector<std::string> metrics;
+};
+
+// Those of each result below the folder.
+void print_tables(const std::string& folder, const ReportArguments& arguments) {
+  for (const std::string& result : result_folders(folder)) {
+    for (const PaperTable& table : paper_tables(load_results(result), arguments.metrics)) {
+      fmt::print("{}\n", arguments.table == "latex" ? latex_of(table) : markdown_of(table));
+    }
+  }
+}
+
 }  // namespace
 
 Command report_command() {
-  const auto folders = std::make_shared<std::vector<std::string>>();
+  const auto arguments = std::make_shared<ReportArguments>();
   return {
       .name = "report",
       .help = "Write pages that show results, and one over all of them",
-      .options = {{"FOLDER", folders.get(),
+      .options = {{"FOLDER", &arguments->folders,
                    "a scenario's results, or a folder of such; 'results' where left out. Judges "
                    "the claims and draws the figures again from the tables, and writes "
-                   "report.html into each, and README.md into the folder of all"}},
-      .run = [folders] {
-        if (folders->empty()) folders->push_back("results");
-        for (const std::string& folder : *folders) report(folder);
+                   "report.html into each, and README.md into the folder of all"},
+                  {.name = "--table",
+                   .target = &arguments->table,
+                   .help = "print the summary as tables of that form, variants side by side, and "
+                           "write nothing",
+                   .check = std::vector<std::string>{"latex", "markdown"}},
+                  {.name = "--metric",
+                   .target = &arguments->metrics,
+                   .help = "of the tables, as summary.csv names it; may come again; all of them "
+                           "where left out",
+                   .needs = "--table"}},
+      .run = [arguments] {
+        if (arguments->folders.empty()) arguments->folders.push_back("results");
+        for (const std::string& folder : arguments->folders) {
+          if (arguments->table.empty()) {
+            report(folder);
+          } else {
+            print_tables(folder, *arguments);
+          }
+        }
         return kDone;
       }};
 }

@@ -8,8 +8,13 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "bench/pages/figure_html.h"
+#include "bench/pages/html.h"
 #include "bench/pages/reports.h"
 #include "bench/pages/testing/example_results.h"
+#include "bench/plot/heat_map.h"
+#include "bench/plot/matrix.h"
+#include "bench/plot/plot.h"
 #include "bench/plot/svg_text.h"
 #include "core/file/text_file.h"
 #include "core/file/tokens.h"
@@ -43,9 +48,23 @@ addEventListener("load", () => {
     const c = page.querySelector("canvas");
     const pixels = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
     result.dataset.drawn = String(pixels.some((x) => x !== 0));
+    const press = (key) => c.dispatchEvent(new frame.contentWindow.KeyboardEvent("keydown", { key }));
+    press("ArrowDown");
+    result.dataset.otherRun = page.querySelector("output").textContent;
+    press("ArrowRight");
+    result.dataset.later = page.querySelector("output").textContent;
   }
   const first = page.querySelector("table.sortable th[aria-sort]");
   result.dataset.sorted = first === null ? "" : first.getAttribute("aria-sort");
+  // Texts of pictures that lie outside of them, by the box of each.
+  let outside = "";
+  for (const text of page.querySelectorAll("svg text")) {
+    let picture = text.ownerSVGElement;
+    while (picture.ownerSVGElement) picture = picture.ownerSVGElement;
+    const a = text.getBoundingClientRect(), b = picture.getBoundingClientRect();
+    if (a.left < b.left || a.right > b.right || a.top < b.top || a.bottom > b.bottom) outside += `${text.textContent}; `;
+  }
+  result.dataset.outside = outside;
   result.dataset.tooWide = page.documentElement.scrollWidth - page.documentElement.clientWidth;
   result.dataset.text = page.documentElement.clientWidth;
 });
@@ -107,8 +126,11 @@ TEST_P(Browser, ShowsAScenariosPage) {
   EXPECT_THAT(result_of(seen), HasSubstr("data-too-wide=\"0\""));
   EXPECT_THAT(result_of(seen), HasSubstr("data-sorted=\"descending\""));
   EXPECT_THAT(result_of(seen), HasSubstr("data-drawn=\"true\""));
-  // 5 s into the replay the estimate is 2 cm off for each of them.
+  // 5 s into the replays the estimate is 2 and 10 cm off for each of them.
   EXPECT_THAT(result_of(seen), HasSubstr("data-clock=\"5.0 s of 9.8 s, estimate off by 0.10 m\""));
+  EXPECT_THAT(result_of(seen),
+              HasSubstr("data-other-run=\"5.0 s of 9.8 s, estimate off by 0.50 m\""));
+  EXPECT_THAT(result_of(seen), HasSubstr("data-later=\"6.0 s of 9.8 s, estimate off by 0.60 m\""));
 }
 
 TEST_P(Browser, ShowsTheOverview) {
@@ -125,7 +147,57 @@ TEST_P(Browser, WouldTellOfErrorsAndOfWhatIsTooWide) {
   EXPECT_THAT(result_of(seen), Not(HasSubstr("data-too-wide=\"0\"")));
 }
 
-INSTANTIATE_TEST_SUITE_P(Widths, Browser, ::testing::Values(390, 1440));
+// Pictures whose texts are longer than there is room for.
+std::vector<std::string> crowded_pictures() {
+  const std::string very_long =
+      "the error of the position over the length of the path that was driven ";
+  Plot names{.title = very_long + very_long,
+             .subtitle = very_long + very_long,
+             .x = {.label = very_long + very_long, .unit = "m"},
+             .y = {.label = very_long, .unit = "m"},
+             .series = {{very_long + very_long, {0, 1, 2}, {-1e-4, 2e-4, -3e-4}},
+                        {"AnotherNameWithoutAnyBlank", {0, 1, 2}, {1e-4, 2e-4, 3e-4}}}};
+  names.x.categories = {very_long, "particle filter of many particles", very_long};
+  const Plot numbers{.title = "Numbers",
+                     .x = {.label = "length", .unit = "m", .high = 100000.0},
+                     .y = {.label = "error", .unit = "m"},
+                     .series = {{"WWWWWWWW MMMMMMMM", {0, 50000, 100000}, {-100000, 0, 200000}}}};
+  const HeatMap heat{.title = "HeatMapsOfNamesWithoutAnyBlankThatAreTooLongForTheWholePicture",
+                     .x = {.label = very_long},
+                     .y = {.label = very_long},
+                     .value = {.label = very_long, .unit = "m"},
+                     .xs = {0, 10000},
+                     .ys = {0, 1},
+                     .values = {-0.0001, 0.0002, 0.0003, 0.0004}};
+  const Matrix matrix{.title = "Matrix",
+                      .rows = {very_long, "b"},
+                      .columns = {{very_long, "c"}, {"d", very_long}, {very_long, "f"}},
+                      .value = {.label = very_long, .unit = "m"},
+                      .values = {1, 2, 3, 4, 5, 60000}};
+  return {svg_of(names), svg_of(numbers), svg_of(heat), svg_of(matrix)};
+}
+
+class Fonts : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Fonts, LeaveAllTextsOfPicturesWithinThem) {
+  if (!has_chromium()) GTEST_SKIP() << "there is no chromium here";
+  HtmlPage page{.title = "Pictures"};
+  page.body =
+      fmt::format("<style>svg text {{ font-family: '{}', sans-serif; }}</style>", GetParam());
+  for (const std::string& picture : crowded_pictures()) {
+    page.body += "<figure>" + figure_html(picture) + "</figure>\n";
+  }
+  const Seen seen = seen_in_browser(html_of(page), 360);
+  EXPECT_EQ(seen.console, "");
+  EXPECT_THAT(result_of(seen), HasSubstr("data-outside=\"\""));
+  EXPECT_THAT(result_of(seen), HasSubstr("data-too-wide=\"0\""));
+}
+
+// As narrow as Helvetica, and a fifth wider.
+INSTANTIATE_TEST_SUITE_P(Narrow, Fonts, ::testing::Values("Liberation Sans"));
+INSTANTIATE_TEST_SUITE_P(Wide, Fonts, ::testing::Values("DejaVu Sans"));
+
+INSTANTIATE_TEST_SUITE_P(Widths, Browser, ::testing::Values(360, 1440));
 
 }  // namespace
 }  // namespace mapbed

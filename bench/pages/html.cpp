@@ -1,5 +1,6 @@
 #include "bench/pages/html.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -17,6 +18,30 @@ namespace {
 
 constexpr std::string_view kMark = "<meta name=\"generator\" content=\"mapbed\">\n";
 constexpr std::string_view kMarkOfOlderPages = "<header>\n<p class=\"kind\">";
+
+bool is_empty(const HtmlCell& cell) {
+  return cell.is_number ? cell.sort_by.empty() : cell.html.empty();
+}
+
+// All of them where there are no rows.
+std::vector<std::size_t> columns_with_values(const HtmlTable& table) {
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < table.head.size(); ++i) {
+    const bool none = std::all_of(table.rows.begin(), table.rows.end(),
+                                  [i](const auto& row) { return is_empty(row.at(i)); });
+    if (table.rows.empty() || !none) columns.push_back(i);
+  }
+  return columns;
+}
+
+std::string html_of(const HtmlCell& cell) {
+  constexpr std::size_t kShort = 24;  // [bytes] stays on one line; the table scrolls
+  const char* style = cell.is_number               ? " class=\"number\""
+                      : cell.html.size() <= kShort ? " class=\"short\""
+                                                   : "";
+  const std::string sort_by = cell.is_number ? fmt::format(" data-value=\"{}\"", cell.sort_by) : "";
+  return fmt::format("<td{}{}>{}</td>", style, sort_by, cell.html);
+}
 
 }  // namespace
 
@@ -52,9 +77,9 @@ HtmlCell number_cell(double value, int digits) {
 }
 
 std::string html_of(const HtmlTable& table) {
-  constexpr std::size_t kShort = 24;  // [bytes]
+  const std::vector<std::size_t> columns = columns_with_values(table);
   std::string text = "<div class=\"wide\"><table class=\"sortable\">\n<thead><tr>";
-  for (std::size_t i = 0; i < table.head.size(); ++i) {
+  for (const std::size_t i : columns) {
     const bool number = !table.rows.empty() && table.rows.front()[i].is_number;
     text += fmt::format("<th{}><button type=\"button\">{}</button></th>",
                         number ? " class=\"number\"" : "", xml_escaped(table.head[i]));
@@ -63,15 +88,7 @@ std::string html_of(const HtmlTable& table) {
   for (const std::vector<HtmlCell>& row : table.rows) {
     CHECK(row.size() == table.head.size());
     text += "<tr>";
-    for (const HtmlCell& cell : row) {
-      // What is short stays on one line; the table scrolls.
-      const char* style = cell.is_number               ? " class=\"number\""
-                          : cell.html.size() <= kShort ? " class=\"short\""
-                                                       : "";
-      const std::string sort_by =
-          cell.is_number ? fmt::format(" data-value=\"{}\"", cell.sort_by) : "";
-      text += fmt::format("<td{}{}>{}</td>", style, sort_by, cell.html);
-    }
+    for (const std::size_t i : columns) text += html_of(row[i]);
     text += "</tr>\n";
   }
   return text + "</tbody>\n</table></div>\n";

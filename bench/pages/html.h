@@ -30,6 +30,7 @@ struct HtmlTable {
   std::vector<std::vector<HtmlCell>> rows;  // as many cells as the head
 };
 // Sorted by a click on a column's name; scrolls sideways within itself where the window is narrow.
+// A column that has no value in any row is left out.
 std::string html_of(const HtmlTable& table);
 
 // "<details>": shown when asked for.

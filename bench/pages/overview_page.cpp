@@ -7,6 +7,7 @@
 
 #include "bench/pages/figure_html.h"
 #include "bench/pages/html.h"
+#include "bench/pages/paper_table.h"
 #include "bench/pages/pictures_html.h"
 #include "bench/pages/scenario_page.h"
 #include "bench/plot/svg_text.h"
@@ -73,30 +74,24 @@ std::string short_html(const ReportedResults& result) {
   return html + "</section>\n";
 }
 
-// Text in a cell of a Markdown table, or elsewhere in a line.
-std::string markdown(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (std::string_view("\\`*_[]<>|#").find(c) != std::string_view::npos) result += '\\';
-    result += c == '\n' ? ' ' : c;
-  }
-  return result;
-}
-
 std::string short_markdown(const ReportedResults& result) {
   const std::string name = place_of(result);
-  std::string text = fmt::format("\n## {}\n\n{}\n", markdown(result.results.id),
-                                 markdown(question_of(result.results)));
+  std::string text = fmt::format("\n## {}\n\n{}\n", markdown_escaped(result.results.id),
+                                 markdown_escaped(question_of(result.results)));
+  const bool has_thesis = stands_beside_thesis(result.results);
   if (!result.results.verdicts.empty()) {
-    text += "\n| claim | verdict | measured | thesis |\n| --- | --- | --- | --- |\n";
+    text += fmt::format("\n| claim | verdict | measured |{}\n| --- | --- | --- |{}\n",
+                        has_thesis ? " thesis |" : "", has_thesis ? " --- |" : "");
   }
   for (const Verdict& v : result.results.verdicts) {
     const char* verdict = !v.judged ? "not judged" : v.held ? "held" : "**not held**";
-    text += fmt::format("| {} | {} | {} | {} |\n", markdown(v.claim), verdict, markdown(v.measured),
-                        markdown(v.thesis));
+    text += fmt::format("| {} | {} | {} |", markdown_escaped(v.claim), verdict,
+                        markdown_escaped(v.measured));
+    text += has_thesis ? " " + markdown_escaped(v.thesis) + " |\n" : "\n";
   }
   for (const Picture& figure : figures_of(result)) {
-    text += fmt::format("\n![{}]({}/{})\n", markdown(caption_of(figure)), name, figure.path);
+    text +=
+        fmt::format("\n![{}]({}/{})\n", markdown_escaped(caption_of(figure)), name, figure.path);
   }
   return text;
 }
@@ -125,17 +120,22 @@ std::string overview_page(const std::vector<ReportedResults>& all) {
 }
 
 std::string overview_markdown(const std::vector<ReportedResults>& all) {
+  const bool has_thesis = std::any_of(all.begin(), all.end(), [](const ReportedResults& result) {
+    return !result.results.thesis.empty();
+  });
   std::string text =
       "# Results" + std::string(kMarkdownMark) +
       " Each folder holds the complete configuration, the tables, the figures and what they were "
-      "made with.\n\n"
-      "| scenario | question | thesis | claims held | runs failed |\n"
-      "| --- | --- | --- | --- | --- |\n";
+      "made with.\n\n";
+  text += fmt::format(
+      "| scenario | question |{} claims held | runs failed |\n| --- | --- |{} --- | --- |\n",
+      has_thesis ? " thesis |" : "", has_thesis ? " --- |" : "");
   for (const ReportedResults& result : all) {
-    text += fmt::format("| [{}]({}/) | {}{} | {} | {} | {} |\n", markdown(result.results.id),
-                        place_of(result), markdown(question_of(result.results)),
-                        result.results.quick ? " (quick run)" : "", markdown(result.results.thesis),
-                        held_text(result.results), failed_text(result.results));
+    text += fmt::format("| [{}]({}/) | {}{} |", markdown_escaped(result.results.id),
+                        place_of(result), markdown_escaped(question_of(result.results)),
+                        result.results.quick ? " (quick run)" : "");
+    if (has_thesis) text += " " + markdown_escaped(result.results.thesis) + " |";
+    text += " " + held_text(result.results) + " | " + failed_text(result.results) + " |\n";
   }
   for (const ReportedResults& result : all) text += short_markdown(result);
   return text;

@@ -1,7 +1,10 @@
 #include "bench/pages/pictures_html.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,6 +19,7 @@ namespace mapbed {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLargestPicture = std::size_t{1} << 25;  // [bytes]
 
@@ -57,21 +61,95 @@ std::vector<Picture> pictures_of_runs(const ReportedResults& reported, const std
   return pictures;
 }
 
-constexpr const char* kPlayer = R"(<div class="replay">
-<canvas role="img" aria-label="The run at the chosen moment"></canvas>
+constexpr const char* kPlayer =
+    R"(<canvas tabindex="0" role="img" aria-label="The run at the chosen moment"></canvas>
 <div class="controls"><button type="button">Play</button>
 <input type="range" aria-label="Time">
-<label>Speed <select><option value="1">1 x</option><option value="5" selected>5 x</option>
+<label>Speed <select name="speed"><option value="1">1 x</option><option value="5" selected>5 x</option>
 <option value="20">20 x</option></select></label></div>
 <output></output>
 <div class="controls">)";
 
-std::string check_box(const char* name, const char* text, const char* color) {
-  return fmt::format(
-      "<label><input type=\"checkbox\" name=\"{}\" checked> <span class=\"key\" "
-      "style=\"border-color:{}\"></span>{}</label>\n",
-      name, color, text);
+struct Layer {
+  const char* name;  // in a replay's JSON
+  const char* text;
+  const char* color;
+};
+constexpr std::array<Layer, 6> kLayers = {{{"truth", "true path", "#009e73"},
+                                           {"estimate", "estimate", "#0072b2"},
+                                           {"odometry", "odometry", "#e69f00"},
+                                           {"scans", "scan", "#d55e00"},
+                                           {"others", "people and doors", "#cc79a7"},
+                                           {"map", "map", "#777777"}}};
+
+// Every layer that one of the runs has.
+std::string check_boxes(const Json& runs) {
+  std::string html;
+  for (const Layer& layer : kLayers) {
+    const bool is_there = std::any_of(runs.begin(), runs.end(),
+                                      [&](const Json& run) { return run.contains(layer.name); });
+    if (!is_there) continue;
+    html += fmt::format(
+        "<label><input type=\"checkbox\" name=\"{}\" checked> <span class=\"key\" "
+        "style=\"border-color:{}\"></span>{}</label>\n",
+        layer.name, layer.color, layer.text);
+  }
+  return html;
 }
+
+std::string run_choice(const Json& runs) {
+  std::string html = "<label class=\"run\">Run <select name=\"run\">\n";
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    html += fmt::format("<option value=\"{}\">{}</option>\n", i,
+                        xml_escaped(runs[i].at("title").get<std::string>()));
+  }
+  return html + "</select></label>\n";
+}
+
+constexpr const char* kKeys =
+    "<p class=\"note\">Keys on the picture: space plays and pauses, \u2190 and \u2192 go by a "
+    "second{}.</p>\n";
+
+Json replay_of(const ReportedResults& reported, const Picture& picture) {
+  Json replay = Json::parse(content_of(reported, picture), nullptr, false);
+  if (!replay.is_object()) {
+    throw InputError({(fs::path(reported.folder) / picture.path).string()},
+                     "is not a replay: not a JSON object");
+  }
+  const auto named = replay.find("title");
+  const std::string title =
+      named != replay.end() && named->is_string() ? named->get<std::string>() : "";
+  replay["title"] = joined(title.empty() ? picture.title : title, picture.run);
+  return replay;
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// What runs have in common, such as outlines and people, stands once: lists and objects move to
+// `parts`, and the run has their number.
+class SharedParts {
+ public:
+  void take_from(Json& replay) {
+    for (Json& value : replay) {
+      if (!value.is_structured()) continue;
+      const auto [known, is_new] = numbers_.emplace(text_of(value), numbers_.size());
+      if (is_new) texts_.push_back(&known->first);
+      value = known->second;
+    }
+  }
+  // As JSON.
+  std::string text() const {
+    std::string text;
+    for (const std::string* part : texts_) text += (text.empty() ? "" : ",\n") + *part;
+    return "[" + text + "]";
+  }
+
+ private:
+  std::unordered_map<std::string, std::size_t> numbers_;
+  std::vector<const std::string*> texts_;  // keys of numbers_, which stay where they are
+};
 
 // JSON within a script element must not end it: "<" only stands in texts there, and may be
 // written as an escape.
@@ -127,30 +205,22 @@ std::string maps_html(const ReportedResults& reported) {
 }
 
 std::string replays_html(const ReportedResults& reported) {
-  std::string html;
-  for (const Picture& replay : pictures_of_runs(reported, "replays", ".json")) {
-    const std::string content = content_of(reported, replay);
-    const auto json = nlohmann::json::parse(content, nullptr, false);
-    if (!json.is_object()) {
-      throw InputError({(fs::path(reported.folder) / replay.path).string()},
-                       "is not a replay: not a JSON object");
-    }
-    const auto named = json.find("title");
-    const std::string title =
-        named != json.end() && named->is_string() ? named->get<std::string>() : "";
-    html +=
-        "<h3>" + xml_escaped(joined(title.empty() ? replay.title : title, replay.run)) + "</h3>\n";
-    html += kPlayer;
-    if (json.contains("truth")) html += check_box("truth", "true path", "#009e73");
-    if (json.contains("estimate")) html += check_box("estimate", "estimate", "#0072b2");
-    if (json.contains("odometry")) html += check_box("odometry", "odometry", "#e69f00");
-    if (json.contains("scans")) html += check_box("scan", "scan", "#d55e00");
-    if (json.contains("others")) html += check_box("people", "people and doors", "#cc79a7");
-    if (json.contains("map")) html += check_box("map", "map", "#777777");
-    html +=
-        "</div>\n<script type=\"application/json\">" + in_script(content) + "</script>\n</div>\n";
+  Json runs = Json::array();
+  SharedParts parts;
+  for (const Picture& picture : pictures_of_runs(reported, "replays", ".json")) {
+    Json replay = replay_of(reported, picture);
+    parts.take_from(replay);
+    runs.push_back(std::move(replay));
   }
-  return html;
+  if (runs.empty()) return "";
+  const bool several = runs.size() > 1;
+  const std::string data = "{\"parts\": " + parts.text() + ",\n\"runs\": " + text_of(runs) + "}";
+  return "<div class=\"replay\">\n" +
+         (several ? run_choice(runs)
+                  : "<h3>" + xml_escaped(runs[0].at("title").get<std::string>()) + "</h3>\n") +
+         kPlayer + check_boxes(runs) + "</div>\n" +
+         fmt::format(kKeys, several ? ", \u2191 and \u2193 choose the run" : "") +
+         "<script type=\"application/json\">" + in_script(data) + "</script>\n</div>\n";
 }
 
 }  // namespace mapbed

@@ -25,7 +25,8 @@ std::string content_of(const ReportedResults& reported, const Picture& picture);
 // The pictures of a result as parts of its page; empty where it has none.
 std::string figures_html(const ReportedResults& reported);
 std::string maps_html(const ReportedResults& reported);
-// With their controls; throws InputError.
+// One viewer in which the run is chosen; what runs have in common stands in it once. Throws
+// InputError.
 std::string replays_html(const ReportedResults& reported);
 
 }  // namespace mapbed

@@ -72,7 +72,7 @@ TEST_F(ReportPage, NeedsNothingFromElsewhere) {
 
 TEST_F(ReportPage, SaysInWordsWhatAMapAndAReplayAreOf) {
   EXPECT_THAT(page(), HasSubstr("<figcaption>map, rotation sigma 16 deg, off</figcaption>"));
-  EXPECT_THAT(page(), HasSubstr("<h3>seed 7 &lt;/script&gt;, rotation sigma 0 deg, off</h3>"));
+  EXPECT_THAT(page(), HasSubstr(">seed 7 &lt;/script&gt;, rotation sigma 0 deg, off</option>"));
 }
 
 TEST_F(ReportPage, FindsThePicturesOfOlderResultsByTheirNames) {
@@ -94,6 +94,20 @@ TEST_F(ReportPage, ShowsTheScenariosPlotsFirstAndThenSingleRunsAsPeopleSort) {
   for (const Picture& figure : figures_of({folder, results})) paths.push_back(figure.path);
   EXPECT_THAT(paths, ElementsAre("figures/success.svg", "figures/error.svg",
                                  "figures/after_90_s.svg", "figures/after_130_s.svg"));
+}
+
+TEST_F(ReportPage, HoldsOneViewerForAllRunsAndOnceWhatTheyShare) {
+  const std::string html = page();
+  EXPECT_EQ(count(html, "<canvas"), 1u);
+  EXPECT_EQ(count(html, "<option value=\"1\">seed 7"), 1u);
+  EXPECT_EQ(count(html, "[0.0,0.0,20.0,0.0,"), 1u) << "the walls of both runs";
+  EXPECT_EQ(count(html, "\"title\":\"seed 7"), 2u);
+}
+
+TEST_F(ReportPage, OfASingleReplayHasNoChoiceOfRuns) {
+  std::filesystem::remove(folder_.file("example/replays/run_level_1_off.json"));
+  EXPECT_THAT(page(), Not(HasSubstr("<select name=\"run\"")));
+  EXPECT_THAT(page(), HasSubstr("<h3>seed 7 &lt;/script&gt;, rotation sigma 0 deg, off</h3>"));
 }
 
 TEST_F(ReportPage, ComesWithoutTheReplayPlayerWhereThereIsNoReplay) {

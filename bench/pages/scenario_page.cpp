@@ -145,19 +145,26 @@ int failed_runs(const Results& results) {
                                         [](const RunRow& run) { return !run.failure.empty(); }));
 }
 
+bool stands_beside_thesis(const Results& results) {
+  return std::any_of(results.verdicts.begin(), results.verdicts.end(),
+                     [](const Verdict& verdict) { return !verdict.thesis.empty(); });
+}
+
 std::string claims_html(const Results& results) {
   if (results.verdicts.empty()) return "";
-  std::string html =
+  const bool has_thesis = stands_beside_thesis(results);
+  std::string html = fmt::format(
       "<table class=\"claims\">\n<thead><tr><th>Claim</th><th>Verdict</th>"
-      "<th>Measured</th><th>Thesis</th></tr></thead>\n<tbody>\n";
+      "<th>Measured</th>{}</tr></thead>\n<tbody>\n",
+      has_thesis ? "<th>Thesis</th>" : "");
   for (const Verdict& v : results.verdicts) {
     const std::string verdict = !v.judged ? "<span class=\"not-judged\">not judged</span>"
                                 : v.held  ? "<span class=\"held\">\u2713 held</span>"
                                           : "<span class=\"not-held\">\u2717 not held</span>";
-    html += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td data-name=\"Measured\">{}</td>"
-        "<td data-name=\"Thesis\">{}</td></tr>\n",
-        xml_escaped(v.claim), verdict, xml_escaped(v.measured), xml_escaped(v.thesis));
+    const std::string thesis =
+        has_thesis ? "<td data-name=\"Thesis\">" + xml_escaped(v.thesis) + "</td>" : "";
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td data-name=\"Measured\">{}</td>{}</tr>\n",
+                        xml_escaped(v.claim), verdict, xml_escaped(v.measured), thesis);
   }
   return "<div class=\"wide\">" + html + "</tbody>\n</table></div>\n";
 }

@@ -18,6 +18,7 @@ struct ClaimCount {
 };
 ClaimCount claims_of(const Results& results);
 int failed_runs(const Results& results);
+bool stands_beside_thesis(const Results& results);  // at least one of the claims
 
 // Parts that the overview shows too.
 std::string claims_html(const Results& results);

@@ -1,35 +1,15 @@
-// Replays: a canvas that shows a run at a moment, and controls to choose it.
+// Replays: a canvas that shows a run at a moment, and controls to choose both.
 for (const box of document.querySelectorAll(".replay")) {
-  const run = JSON.parse(box.querySelector("script").textContent);
+  const { parts, runs } = JSON.parse(box.querySelector("script").textContent);
   const canvas = box.querySelector("canvas");
   const slider = box.querySelector("input[type=range]");
   const button = box.querySelector("button");
   const clock = box.querySelector("output");
-  const speed = box.querySelector("select");
-  const shown = (name) => {
-    const input = box.querySelector(`input[name=${name}]`);
-    return input === null || input.checked;
-  };
+  const speed = box.querySelector("select[name=speed]");
+  const choice = box.querySelector("select[name=run]");  // null where there is one run
+  const layers = [...box.querySelectorAll("input[type=checkbox]")];
+  const shown = (name) => layers.some((input) => input.name === name && input.checked);
   const kColors = { truth: "#009e73", estimate: "#0072b2", odometry: "#e69f00", scan: "#d55e00" };
-
-  const map = run.map && new Image();
-  if (map) { map.onload = () => draw(); map.src = run.map.png; }
-
-  // What is to be seen, in metres.
-  const bounds = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
-  const include = (x, y) => {
-    bounds.x0 = Math.min(bounds.x0, x); bounds.x1 = Math.max(bounds.x1, x);
-    bounds.y0 = Math.min(bounds.y0, y); bounds.y1 = Math.max(bounds.y1, y);
-  };
-  for (const line of run.outlines || []) for (let i = 0; i < line.length; i += 2) include(line[i], line[i + 1]);
-  if (run.map) { include(run.map.x, run.map.y); include(run.map.x + run.map.width, run.map.y + run.map.height); }
-  for (const name of ["truth", "estimate"]) {
-    const track = run[name];
-    if (track) track.x.forEach((x, i) => include(x, track.y[i]));
-  }
-  if (!(bounds.x0 <= bounds.x1)) { include(0, 0); include(1, 1); }
-  const margin = 0.03 * Math.max(bounds.x1 - bounds.x0, bounds.y1 - bounds.y0, 1);
-  bounds.x0 -= margin; bounds.y0 -= margin; bounds.x1 += margin; bounds.y1 += margin;
 
   // The last index whose stamp is not after t; -1 before the first.
   const index = (stamps, t) => {
@@ -52,7 +32,44 @@ for (const box of document.querySelectorAll(".replay")) {
              y: track.y[i] + fraction * (track.y[i + 1] - track.y[i]),
              a: track.a[i] + fraction * turn(track.a[i + 1] - track.a[i]) };
   };
-  const scanTimes = (run.scans || []).map((scan) => scan.t);
+
+  // What is to be seen of a run, in metres.
+  const boundsOf = (run) => {
+    const bounds = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
+    const include = (x, y) => {
+      bounds.x0 = Math.min(bounds.x0, x); bounds.x1 = Math.max(bounds.x1, x);
+      bounds.y0 = Math.min(bounds.y0, y); bounds.y1 = Math.max(bounds.y1, y);
+    };
+    for (const line of run.outlines || []) for (let i = 0; i < line.length; i += 2) include(line[i], line[i + 1]);
+    if (run.map) { include(run.map.x, run.map.y); include(run.map.x + run.map.width, run.map.y + run.map.height); }
+    for (const name of ["truth", "estimate"]) {
+      const track = run[name];
+      if (track) track.x.forEach((x, i) => include(x, track.y[i]));
+    }
+    if (!(bounds.x0 <= bounds.x1)) { include(0, 0); include(1, 1); }
+    const margin = 0.03 * Math.max(bounds.x1 - bounds.x0, bounds.y1 - bounds.y0, 1);
+    bounds.x0 -= margin; bounds.y0 -= margin; bounds.x1 += margin; bounds.y1 += margin;
+    return bounds;
+  };
+  const imageOf = (map) => {
+    const image = new Image();
+    image.onload = () => draw();
+    image.src = map.png;
+    return image;
+  };
+  // A run with its parts in the place of their numbers, made when it is first looked at.
+  const whole = (short) => {
+    const run = { ...short };
+    for (const [name, value] of Object.entries(short)) {
+      if (name !== "title" && name !== "start" && name !== "end") run[name] = parts[value];
+    }
+    run.bounds = boundsOf(run);
+    run.scanTimes = (run.scans || []).map((scan) => scan.t);
+    run.image = run.map && imageOf(run.map);
+    return run;
+  };
+  const ready = [];
+  let run = null, bounds = null;
 
   let scale = 1;
   const px = (x) => (x - bounds.x0) * scale;
@@ -85,7 +102,7 @@ for (const box of document.querySelectorAll(".replay")) {
     }
   };
   const drawScan = (t, at) => {
-    const i = index(scanTimes, t);
+    const i = index(run.scanTimes, t);
     if (i < 0 || !at) return;
     const scan = run.scans[i], [lx, ly, la] = scan.laser;
     const cos = Math.cos(at.a), sin = Math.sin(at.a);
@@ -108,9 +125,9 @@ for (const box of document.querySelectorAll(".replay")) {
     const left = (width - scale * (bounds.x1 - bounds.x0)) / 2;
     c.setTransform(ratio, 0, 0, ratio, left * ratio, 0);
     const t = Number(slider.value);
-    if (map && map.complete && shown("map")) {
+    if (run.image && run.image.complete && shown("map")) {
       c.imageSmoothingEnabled = false;
-      c.drawImage(map, px(run.map.x), py(run.map.y + run.map.height), run.map.width * scale, run.map.height * scale);
+      c.drawImage(run.image, px(run.map.x), py(run.map.y + run.map.height), run.map.width * scale, run.map.height * scale);
     }
     c.strokeStyle = "#333"; c.lineWidth = 1;
     for (const line of run.outlines || []) {
@@ -118,12 +135,12 @@ for (const box of document.querySelectorAll(".replay")) {
       for (let i = 0; i < line.length; i += 2) c.lineTo(px(line[i]), py(line[i + 1]));
       c.stroke();
     }
-    if (shown("people")) drawOthers(t);
+    if (shown("others")) drawOthers(t);
     const truth = pose(run.truth, t), estimate = pose(run.estimate, t);
     if (shown("odometry")) path(run.odometry, t, kColors.odometry, [2, 3]);
     if (shown("truth")) path(run.truth, t, kColors.truth, [7, 4]);
     if (shown("estimate")) path(run.estimate, t, kColors.estimate, []);
-    if (shown("scan")) drawScan(t, estimate || truth);
+    if (shown("scans")) drawScan(t, estimate || truth);
     if (shown("truth")) robot(truth, kColors.truth, false);
     if (shown("estimate")) robot(estimate, kColors.estimate, true);
     const off = truth && estimate ? `, estimate off by ${Math.hypot(truth.x - estimate.x, truth.y - estimate.y).toFixed(2)} m` : "";
@@ -146,10 +163,37 @@ for (const box of document.querySelectorAll(".replay")) {
     if (Number(slider.value) >= run.end) slider.value = run.start;
     requestAnimationFrame((now) => { before = now; step(now); });
   };
-  slider.min = run.start; slider.max = run.end; slider.step = "any"; slider.value = run.start;
+  // Another run at the same moment, as far as it lasts.
+  const choose = (number) => {
+    const t = run === null ? runs[number].start : Number(slider.value);
+    run = ready[number] = ready[number] || whole(runs[number]);
+    bounds = run.bounds;
+    slider.min = run.start; slider.max = run.end; slider.value = t;
+    for (const input of layers) input.disabled = !(input.name in run);
+    draw();
+  };
+  slider.step = "any";
   button.addEventListener("click", () => play(!playing));
   slider.addEventListener("input", draw);
-  for (const input of box.querySelectorAll("input[type=checkbox]")) input.addEventListener("change", draw);
+  if (choice !== null) choice.addEventListener("change", () => choose(choice.selectedIndex));
+  for (const input of layers) input.addEventListener("change", draw);
+  const keys = {
+    " ": () => play(!playing),
+    ArrowLeft: () => { slider.value = Number(slider.value) - 1; draw(); },
+    ArrowRight: () => { slider.value = Number(slider.value) + 1; draw(); },
+    ArrowUp: () => another(-1),
+    ArrowDown: () => another(1),
+  };
+  const another = (by) => {
+    if (choice === null) return;
+    choice.selectedIndex = Math.min(Math.max(choice.selectedIndex + by, 0), runs.length - 1);
+    choose(choice.selectedIndex);
+  };
+  canvas.addEventListener("keydown", (event) => {
+    if (!(event.key in keys) || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    keys[event.key]();
+  });
+  choose(choice === null ? 0 : choice.selectedIndex);
   new ResizeObserver(draw).observe(box);
-  draw();
 }

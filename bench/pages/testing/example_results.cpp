@@ -66,12 +66,14 @@ Results example_results() {
              {.run = 2, .seconds = 0.5, .recorded_seconds = 60.0, .peak_memory = 1.2e8}};
   r.files = {{"figures/heat_level_0_off.svg", 0, "heat"},
              {"maps/map_level_1_off.png", 2, "map"},
-             {"replays/run_level_0_off.json", 0, ""}};
+             {"replays/run_level_0_off.json", 0, ""},
+             {"replays/run_level_1_off.json", 2, ""}};
   r.provenance_json = "{\"seed\": 7}\n";
   return r;
 }
 
-Replay example_replay() {
+// Its estimate is that many metres further off after each second.
+Replay example_replay(double drift) {
   Replay replay{.title = "seed 7 </script>",
                 .outlines = {{{0, 0}, {20, 0}, {20, 12}, {0, 12}, {0, 0}}}};
   replay.map.image = RgbImage(40, 24, kWhite);
@@ -81,7 +83,7 @@ Replay example_replay() {
     const double t = 0.2 * i;
     const Pose2 pose{4.0 + t, 6.0 + std::sin(t), std::atan(std::cos(t))};
     replay.truth.push_back({t, pose});
-    replay.estimate.push_back({t, {pose.x + 0.02 * t, pose.y, pose.theta}});
+    replay.estimate.push_back({t, {pose.x + drift * t, pose.y, pose.theta}});
     person.world_from_it.push_back({t, {12.0 - t, 3.0, 0.0}});
     replay.scans.push_back({.time = t,
                             .first_bearing = -1.5,
@@ -110,7 +112,8 @@ void make_example_results(const std::string& folder) {
   const HeatMap heat{.title = "Heat", .xs = {0, 1}, .ys = {0, 1}, .values = {0, 1, 2, 3}};
   write_text_file(folder + "/figures/heat_level_0_off.svg", svg_of(heat));
   write_png(folder + "/maps/map_level_1_off.png", RgbImage(900, 300, kWhite));
-  write_text_file(folder + "/replays/run_level_0_off.json", replay_json(example_replay()));
+  write_text_file(folder + "/replays/run_level_0_off.json", replay_json(example_replay(0.02)));
+  write_text_file(folder + "/replays/run_level_1_off.json", replay_json(example_replay(0.1)));
 }
 
 }  // namespace mapbed
