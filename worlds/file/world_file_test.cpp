@@ -256,7 +256,7 @@ std::string example_of(const std::string& path, const std::string& title) {
 }
 
 TEST_F(WorldFile, OfTheReadmeIsRight) {
-  const std::string example = example_of(source_tree() + "/README.md", "`my_world.yaml`");
+  const std::string example = example_of(source_tree() + "/docs/simulation.md", "`my_world.yaml`");
   const World world = load(example);
   EXPECT_FALSE(world.paths.empty());
   EXPECT_FALSE(world.crowd.routes.empty());
