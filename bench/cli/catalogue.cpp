@@ -5,6 +5,8 @@
 #include "algorithms/grid/map_builder.h"
 #include "algorithms/input/geometry_check.h"
 #include "algorithms/methods.h"
+#include "bench/cli/describe/words.h"
+#include "bench/cli/describe/world_text.h"
 #include "bench/experiments/experiment.h"
 #include "bench/faults/faults.h"
 #include "bench/methods/program_method.h"
@@ -44,15 +46,20 @@ std::vector<CatalogueEntry> method_entries() {
 std::vector<CatalogueEntry> world_entries() {
   std::vector<CatalogueEntry> entries;
   for (const WorldKind& kind : world_kinds()) {
-    entries.push_back(
-        {kind.name, kind.about, [&kind] { return kind.configure({}).complete_yaml; }});
+    entries.push_back({kind.name, kind.about, [&kind] {
+                         const auto world = kind.configure({});
+                         return text_of_world(world.make()) + "options:\n" +
+                                indented(world.complete_yaml);
+                       }});
   }
   for (const std::string& name : world_file_names()) {
     const std::string path = find_data_file("world", "worlds", name).string();
     const ConfigNode file = load_config(path);
     const ConfigNode* about = file.find("about");
-    entries.push_back({name, about != nullptr ? about->text() : "a world file",
-                       [path] { return read_text_file(path); }});
+    entries.push_back({name, about != nullptr ? about->text() : "a world file", [path] {
+                         return text_of_world(build_world(path)) + "file: " + path + "\n" +
+                                indented(read_text_file(path));
+                       }});
   }
   return entries;
 }
@@ -197,19 +204,23 @@ std::vector<CatalogueEntry> setting_entries() {
 }  // namespace
 
 const std::vector<CatalogueShelf>& catalogue() {
-  static const std::vector<CatalogueShelf> shelves{
-      {"scenarios", "scenario", scenario_entries},
-      {"experiments", "experiment", experiment_entries},
-      {"worlds", "world", world_entries},
-      {"robots", "robot", robot_entries},
-      {"sensors", "sensor", sensor_entries},
-      {"drivers", "driver", driver_entries},
-      {"methods", "method", method_entries},
-      {"logs", "log", log_entries},
-      {"formats", "format of logs", format_entries},
-      {"faults", "fault", fault_entries},
-      {"settings", "setting", setting_entries},
-  };
+  static const std::vector<CatalogueShelf> shelves = [] {
+    std::vector<CatalogueShelf> all{
+        {"scenarios", "scenario", scenario_entries},
+        {"experiments", "experiment", experiment_entries},
+        {"worlds", "world", world_entries},
+        {"robots", "robot", robot_entries},
+        {"sensors", "sensor", sensor_entries},
+        {"drivers", "driver", driver_entries},
+        {"methods", "method", method_entries},
+        {"logs", "log", log_entries},
+        {"formats", "format of logs", format_entries},
+        {"faults", "fault", fault_entries},
+        {"settings", "setting", setting_entries},
+    };
+    for (CatalogueShelf& shelf : word_shelves()) all.push_back(std::move(shelf));
+    return all;
+  }();
   return shelves;
 }
 

@@ -1,18 +1,22 @@
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
+#include "bench/cli/describe/pose_lines.h"
 #include "bench/cli/progress.h"
 #include "bench/metrics/evaluation.h"
+#include "bench/process/foreign_files.h"
 #include "core/file/atomic_file.h"
 #include "core/file/text_file.h"
-#include "core/file/tokens.h"
 #include "core/geometry/tum_file.h"
 #include "core/input_error.h"
 #include "core/log/log_file.h"
@@ -30,23 +34,8 @@ struct EvaluateArguments {
   TruthOptions truth_options;
 };
 
-// Pose lines have four or eight numbers; the lines of every log have more, or begin with a word.
-bool holds_pose_lines(const std::string& path) {
-  const std::string content = read_text_file(path);
-  std::string_view rest = content;
-  while (!rest.empty()) {
-    std::string_view line = next_line(rest);
-    std::string_view word = next_word(line);
-    if (word.empty() || word.starts_with('#')) continue;
-    int count = 0;
-    for (double number = 0.0; parse_number(word, number); word = next_word(line)) ++count;
-    return word.empty() && (count == 4 || count == 8);
-  }
-  return false;
-}
-
 Trajectory odometry_from(const std::string& path) {
-  if (holds_pose_lines(path)) return load_trajectory(path);
+  if (holds_pose_lines(read_text_file(path))) return load_trajectory(path);
   const Trajectory odometry = odometry_of(load_log(path).measurements);
   if (odometry.empty()) throw InputError({path}, "holds no odometry", "leave --odometry out");
   return odometry;
@@ -93,8 +82,22 @@ Evaluation evaluation_of(const EvaluateArguments& arguments) {
   return evaluation;
 }
 
+// Nothing is written over but figures of ours.
+void refuse_foreign_figures(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path) || is_special_file(path)) return;
+  const auto json = nlohmann::json::parse(std::ifstream(path), nullptr, false);
+  bool is_ours = json.is_object() && !json.empty();
+  for (const auto& [key, value] : json.items()) {
+    is_ours = is_ours && (key == "relations" || key == "truth") && value.is_object();
+  }
+  if (!is_ours) refuse_foreign(path);
+}
+
 int evaluate(const EvaluateArguments& arguments) {
-  if (!arguments.json.empty()) check_writable(arguments.json);
+  if (!arguments.json.empty()) {
+    check_writable(arguments.json);
+    refuse_foreign_figures(arguments.json);
+  }
   const Evaluation evaluation = while_told("evaluating", [&] { return evaluation_of(arguments); });
   if (!arguments.json.empty()) write_file(arguments.json, json_of(evaluation));
   fmt::print("{}", table_of(evaluation));
@@ -148,7 +151,9 @@ Command evaluate_command() {
             .help = "the log, or pose lines: reaches the relations' stamps from the poses beside "
                     "them by odometry instead of linearly",
             .needs = "--relations"},
-           {"--truth", &a.truth, "true or reference poses, lines as above"},
+           {"--truth", &a.truth,
+            "true or reference poses, lines as in ESTIMATE; 'mapbed simulate' writes them as "
+            "LOG.tum"},
            with_truth("--max-time-difference", &options.max_time_difference,
                       "[s] between an estimated and a true pose of one moment", Sign::not_negative),
            with_truth("--delta", &options.relative.delta,
@@ -159,7 +164,7 @@ Command evaluate_command() {
                       "RPE: a motion from every pose on, instead of one behind the other", {}),
            with_truth("--path-length", &options.path_length,
                       "[m] of true path for the error over a length of path", Sign::positive),
-           {"--json", &a.json, "write the figures to this file, with all digits"}},
+           {"-o,--out,--json", &a.json, "write the figures to this file as JSON, with all digits"}},
       .run = [arguments] {
         check(*arguments);
         return evaluate(*arguments);

@@ -115,6 +115,20 @@ TEST_F(Evaluate, PrintsErrorsAgainstTruthAndWritesThemAll) {
   EXPECT_THAT(json, HasSubstr("\"over_path\""));
 }
 
+TEST_F(Evaluate, ReplacesItsOwnFiguresAndNoOthers) {
+  const auto into = [&](const std::string& file) {
+    return run_mapbed({"evaluate", path("estimate.tum"), "--relations", path("some.relations"),
+                       "-o", path(file)});
+  };
+  EXPECT_EQ(into("own.json").status, 0);
+  EXPECT_EQ(into("own.json").status, 0);
+  for (const char* content : {"my own words\n", "{}\n", "{\"relations\": {}, \"mine\": 1}\n"}) {
+    write("foreign.json", content);
+    expect_refused(into("foreign.json"), "foreign.json: was not written by mapbed");
+    EXPECT_EQ(read_text_file(path("foreign.json")), content);
+  }
+}
+
 TEST_F(Evaluate, SaysWhatIsWrongWithItsFiles) {
   const std::string estimate = path("estimate.tum");
   const std::string relations = path("some.relations");

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -9,10 +8,12 @@
 #include "bench/cli/catalogue.h"
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
-#include "bench/methods/program_method.h"
+#include "bench/cli/describe/file_text.h"
+#include "core/config/permitted_values.h"
+#include "core/config/settings.h"
 #include "core/config/suggestion.h"
+#include "core/file/tokens.h"
 #include "core/input_error.h"
-#include "core/log/log_file.h"
 
 namespace mapbed {
 namespace {
@@ -38,37 +39,59 @@ void check_kind(const std::string& kind) {
   }
 }
 
+// All options of that name, or whose path ends with it, a line each with what has them.
+std::string options_called(const std::string& name) {
+  std::string text;
+  for (const CatalogueShelf& shelf : catalogue()) {
+    const std::vector<std::string> with_options{"experiments", "drivers", "methods", "faults",
+                                                "settings"};
+    if (std::count(with_options.begin(), with_options.end(), shelf.kind) == 0) continue;
+    for (const CatalogueEntry& entry : shelf.entries()) {
+      std::string yaml = entry.describe();
+      const std::size_t options = yaml.find("options:\n");
+      if (options != std::string::npos) yaml.erase(0, options + 9);
+      const std::string lines = dotted("", yaml);
+      for (std::string_view rest = lines; !rest.empty();) {
+        const std::string line(next_line(rest));
+        const std::string path = line.substr(0, line.find(':'));
+        if (path == name || path.ends_with("." + name)) {
+          text += shelf.one + " " + entry.name + ": " + line + "\n";
+        }
+      }
+    }
+  }
+  return text;
+}
+
+// Things of several kinds may have one name: all are shown.
 int describe(const std::string& name) {
+  const PermittedValuesShown permitted;
   std::vector<std::string> names;
+  bool found = false;
   for (const CatalogueShelf& shelf : catalogue()) {
     for (const CatalogueEntry& entry : shelf.entries()) {
-      if (entry.name == name) {
-        fmt::print("{} ({}): {}\n{}", entry.name, shelf.one, entry.about, entry.describe());
-        return kDone;
-      }
       names.push_back(entry.name);
+      if (entry.name != name) continue;
+      fmt::print("{}{} ({}): {}\n{}", found ? "\n" : "", name, shelf.one, entry.about,
+                 entry.describe());
+      found = true;
     }
   }
-  if (const auto bag = bag_contents(name)) {
-    // First of all, so that it is there also where it is not clear which topics are meant.
-    fmt::print("{} (log)\n{}", name, text_of_bag(*bag));
-    try {
-      const std::string text = text_of_log(name);
-      fmt::print("{}", text.substr(text.find('\n') + 1));  // the format is told
-    } catch (const InputError& error) {
-      fmt::print("remark: {}\n", error.what());
-    }
+  if (found) return kDone;
+  if (const auto file = text_of_file(name)) {
+    fmt::print("{} ({})\n{}", name, file->kind, file->text);
     return kDone;
   }
-  if (is_program_file(name)) {
-    fmt::print("{} (method)\n{}", name, load_program_method(name).description());
-    return kDone;
+  const std::string options = options_called(name);
+  if (options.empty()) {
+    const std::string nearest = suggestion(name, names);  // or all of them, which are too many
+    throw InputError({}, "there is nothing called " + in_quotes(name),
+                     nearest.starts_with("did you mean")
+                         ? nearest
+                         : "'mapbed list' shows all names; a file is given by its path");
   }
-  if (std::filesystem::is_regular_file(name)) {
-    fmt::print("{} (log)\n{}", name, text_of_log(name));
-    return kDone;
-  }
-  throw InputError({}, "there is nothing called '" + name + "'", suggestion(name, names));
+  fmt::print("{} (option)\n{}", name, options);
+  return kDone;
 }
 
 }  // namespace
@@ -95,10 +118,15 @@ Command list_command() {
 Command describe_command() {
   const auto name = std::make_shared<std::string>();
   return {.name = "describe",
-          .help = "Show every option of a thing: default, unit, meaning; what a log holds",
+          .help =
+              "Show every option of a thing: default, unit, meaning, permitted values; what a "
+              "file holds",
           .options = {{.name = "NAME",
                        .target = name.get(),
-                       .help = "a name that 'mapbed list' shows, or the file of a log or bag",
+                       .help = "a name that 'mapbed list' shows, an option's name as in max_range, "
+                               "or a file or folder that any command reads: a log or bag, a map, "
+                               "a trajectory, relations, truth, results, the YAML file of a world, "
+                               "robot, sensor, method, scenario or log",
                        .is_required = true}},
           .run = [name] { return describe(*name); }};
 }

@@ -233,11 +233,10 @@ Command map_command() {
                     "logs' shows",
             .is_required = true},
            {"--method", &arguments->method,
-            "who finds the trajectory; see 'mapbed list methods'; the file (YAML) of a program of "
-            "your "
-            "own also does"},
+            "who finds the trajectory: a name that 'mapbed list methods' shows, or the file (YAML) "
+            "of a program of your own; scan_matching where left out"},
            {"--resolution", &arguments->resolution, "side of a cell, as in '5 cm'"},
-           {"--seed", &arguments->seed, "of all chance"},
+           {"--seed", &arguments->seed, "of all chance; 1 where left out"},
            {"--set", &arguments->settings,
             "path=value, any option that 'mapbed describe' shows: log.max_range='50 m', "
             "map.model=odds; may come again"},
@@ -247,7 +246,7 @@ Command map_command() {
             .target = &arguments->threads,
             .help = "for methods that share their work out; all processors if left out",
             .check = IntRange{1, 1024}},
-           {"--out", &arguments->folder,
+           {"-o,--out", &arguments->folder,
             "folder for the results; LOG's name and '_map' here where left out"}},
       .run = [arguments] { return map_log(*arguments); }};
 }

@@ -1,8 +1,11 @@
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,6 +17,7 @@
 #include "bench/plot/map_figure.h"
 #include "bench/plot/map_picture.h"
 #include "bench/plot/world_picture.h"
+#include "bench/process/foreign_files.h"
 #include "core/config/quantity.h"
 #include "core/file/atomic_file.h"
 #include "core/geometry/tum_file.h"
@@ -97,14 +101,43 @@ RgbImage picture_of(const RenderArguments& arguments) {
 
 constexpr double kPixel = 0.15;  // [mm] in a PDF
 
+// A chunk "Software" of a PNG, with its length and checksum; it stands behind the header.
+constexpr std::string_view kMark(
+    "\0\0\0\x0F"
+    "tEXtSoftware\0mapbed"
+    "\xB3\x1D\x98\x93",
+    27);
+constexpr std::size_t kHeaderEnd = 33;              // [bytes] signature and IHDR
+constexpr std::string_view kPdfMark = "%mapbed\n";  // behind all else, a comment
+
+bool is_pdf(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".pdf";
+}
+
+// Nothing is written over but a picture of ours.
+void refuse_foreign_picture(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path) || is_special_file(path)) return;
+  std::ifstream file(path, std::ios::binary);
+  const std::string content(std::istreambuf_iterator<char>(file), {});
+  const bool is_ours = is_pdf(path) ? content.ends_with(kPdfMark)
+                                    : content.size() > kHeaderEnd &&
+                                          content.compare(kHeaderEnd, kMark.size(), kMark) == 0;
+  if (!is_ours) refuse_foreign(path);
+}
+
+void write_marked(const std::string& path, const RgbImage& image) {
+  if (is_pdf(path)) {
+    write_file(path, pdf_of(image, kPixel * image.width()).append(kPdfMark));
+  } else {
+    write_file(path, png_of(image).insert(kHeaderEnd, kMark));
+  }
+}
+
 int render(const RenderArguments& arguments) {
   check_writable(arguments.output);
+  refuse_foreign_picture(arguments.output);
   const RgbImage image = while_told("drawing", [&] { return picture_of(arguments); });
-  if (std::filesystem::path(arguments.output).extension() == ".pdf") {
-    write_file(arguments.output, pdf_of(image, kPixel * image.width()));
-  } else {
-    write_png(arguments.output, image);
-  }
+  write_marked(arguments.output, image);
   fmt::print("{}: {} x {} pixels\n", arguments.output, image.width(), image.height());
   return kDone;
 }
@@ -130,7 +163,7 @@ Command render_command() {
                 "map.yaml as map servers read it, or a .png or .pgm with such a file beside it; "
                 "several are drawn at one scale; or a world's name or file",
             .is_required = true},
-           {.name = "-o,--output",
+           {.name = "-o,--out,--output",
             .target = &a.output,
             .help = "the picture, a PNG file; of the ending .pdf a PDF file",
             .is_required = true},
@@ -150,7 +183,9 @@ Command render_command() {
            world_option(
                "--robot", &a.world.robot,
                "draw it in the middle of a drive of this robot, people and doors included"),
-           world_option("--path", &a.world.path, "that the robot follows; else the first one"),
+           world_option("--path", &a.world.path,
+                        "that the robot follows, as 'mapbed describe WORLD' lists them; the first "
+                        "where left out"),
            world_option("--after", &a.after, "how long it has driven; 20 s where left out"),
            seed,
            world_option("--set", &a.world_options,

@@ -93,10 +93,22 @@ TEST_F(RenderCommand, APictureKeepsItsGreysAndTakesItsPlaceFromTheFileBesideIt) 
   EXPECT_EQ(call({"render", "room.png", "-o", "b.png", "--resolution", "10 cm"}).status, 0);
 }
 
+TEST_F(RenderCommand, ReplacesItsOwnPicturesAndNoOthers) {
+  const std::string photo = text("room.png");
+  expect_refusal({"render", "room.yaml", "-o", "room.png"}, "room.png: was not written by mapbed");
+  EXPECT_EQ(text("room.png"), photo);
+  write("notes.txt", "of my own");
+  expect_refusal({"render", "room.yaml", "--out", "notes.txt"}, "notes.txt: was not written");
+  for (const char* once : {"at first", "again"}) {
+    EXPECT_EQ(call({"render", "room.yaml", "-o", "own.png"}).status, 0) << once;
+  }
+  EXPECT_GT(read_samples(path("own.png")).width, 0);
+}
+
 TEST_F(RenderCommand, SaysWhatIsWrong) {
   write("text.png", "no picture");
   write("half.yaml", "image: room.pgm\n");
-  expect_refusal({"render", "room.yaml"}, "--output is required");
+  expect_refusal({"render", "room.yaml"}, "--out is required");
   expect_refusal({"render", "absent.yaml", "-o", "x.png"}, "absent.yaml");
   expect_refusal({"render", "drive.txt", "-o", "x.png"},
                  "drive.txt: is neither a PNG nor a PGM picture");

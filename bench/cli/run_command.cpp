@@ -13,10 +13,14 @@
 #include "bench/cli/output_folder.h"
 #include "bench/cli/progress.h"
 #include "bench/pages/reports.h"
+#include "bench/process/foreign_files.h"
 #include "bench/process/thread_limit.h"
+#include "bench/results/result_folder.h"
 #include "bench/results/result_tables.h"
+#include "bench/scenario/failed_runs.h"
 #include "bench/scenario/identity.h"
 #include "bench/scenario/run_scenario.h"
+#include "bench/scenario/runner.h"
 #include "bench/sources/files_record.h"
 #include "core/file/csv_file.h"
 #include "core/input_error.h"
@@ -66,11 +70,20 @@ void tell_changed_files(const std::string& folder, const ScenarioPlan& plan) {
   tell(plan.scenario.path, "the results may be others");
 }
 
+// A quick run is a smaller one: it tells how it came out, in small letters, and gives no verdict.
+std::string verdict_of(const Verdict& claim, bool quick) {
+  if (!claim.judged) return quick ? "quick: not judged" : "not judged";
+  if (quick) return claim.held ? "quick: holds" : "quick: holds not";
+  return claim.held ? "held" : "NOT HELD";
+}
+
 void print_claims(const Results& results) {
   for (const Verdict& claim : results.verdicts) {
-    const char* not_judged = results.quick ? "quick: not judged" : "not judged";
-    const char* verdict = !claim.judged ? not_judged : claim.held ? "held" : "NOT HELD";
-    fmt::print("{:<10} {}\n           {}\n", verdict, claim.claim, claim.measured);
+    fmt::print("{:<10} {}\n           {}\n", verdict_of(claim, results.quick), claim.claim,
+               claim.measured);
+  }
+  if (results.quick && !results.verdicts.empty()) {
+    fmt::print("remark: a quick run is no verdict on the claims; the run without --quick is\n");
   }
 }
 
@@ -80,6 +93,7 @@ void print_result(const ScenarioRun& run, const std::string& folder) {
                                     [](const RunRow& row) { return !row.failure.empty(); });
   fmt::print("{}: {} runs, {} of them failed; {} were done before, {} recordings made\n",
              run.results.id, total, failed, run.done_before, run.recordings);
+  fmt::print("{}", failed_runs_text(run.results, folder));
   for (const std::string& line : run.results.skipped) {
     fmt::print("remark: {}; set MAPBED_DATA to the folder that holds it\n", line);
   }
@@ -93,16 +107,42 @@ bool all_held(const Results& results) {
                      [](const Verdict& claim) { return claim.held || !claim.judged; });
 }
 
-int print_one_run(const ScenarioPlan& plan, int number) {
+constexpr const char* kRow = "run.csv";  // marks a folder of one run
+
+// Its row, map, path and pictures; the files of another run that were there go. Foreign ones stay.
+void write_one_run(const std::string& folder, const std::string& row, const RunResult& run) {
+  std::vector<std::string> coming{kRow};
+  for (const ResultFile& file : run.files) coming.push_back(file.path);
+  const bool is_ours = std::filesystem::exists(std::filesystem::path(folder) / kRow);
+  refuse_foreign(folder, coming, is_ours ? coming : std::vector<std::string>{});
+  std::vector<ResultFile> files = run.files;
+  files.push_back({kRow, row});
+  write_files(folder, files);
+  for (const ResultFile& file : files) fmt::print("written: {}/{}\n", folder, file.path);
+}
+
+// The run of that number alone; in a folder, where one is named, all that there is of it.
+int repeat_one_run(const ScenarioPlan& plan, int number, const std::string& folder) {
   if (number < 0 || number >= plan.runs()) {
     throw InputError(
         fmt::format("there is no run {}; this scenario has 0 to {}", number, plan.runs() - 1));
   }
   const std::string missing = plan.planned_of(plan.row(number)).missing();
   if (!missing.empty()) throw InputError(missing + "; set MAPBED_DATA to the folder that holds it");
+  std::optional<OutputFolder> made;
+  if (!folder.empty()) {
+    if (is_result_folder(folder)) {
+      throw InputError({folder}, "holds the results of a scenario",
+                       "name another folder for a single run");
+    }
+    made.emplace(folder);
+  }
+  const RunResult run = while_told(plan.results.id, [&] { return repeat_run(plan, number); });
   Results results = plan.results;
-  results.runs.push_back(while_told(results.id, [&] { return repeat_run(plan, number); }));
-  fmt::print("{}", runs_csv(results));
+  results.runs.push_back(run.row);
+  const std::string row = runs_csv(results);
+  fmt::print("{}", row);
+  if (!folder.empty()) write_one_run(folder, row, run);
   return kDone;
 }
 
@@ -113,7 +153,7 @@ int run(const RunArguments& arguments) {
   }
   const ScenarioPlan plan =
       while_told("planning", [&] { return make_plan(load_scenario(arguments.scenario, choice)); });
-  if (arguments.run) return print_one_run(plan, *arguments.run);
+  if (arguments.run) return repeat_one_run(plan, *arguments.run, arguments.folder);
 
   ScenarioRunOptions options{.folder = folder_of(arguments, plan.scenario),
                              .restart = arguments.restart,
@@ -148,19 +188,22 @@ Command run_command() {
           .help = "Run a scenario: simulate, estimate, measure, judge",
           .options = {{.name = "SCENARIO",
                        .target = &a->scenario,
-                       .help = "a scenario's name or file (YAML)",
+                       .help = "a scenario's name, of 'mapbed list scenarios', or its file (YAML)",
                        .is_required = true},
-                      {"--quick", &a->quick, "a reduced version, in seconds"},
+                      {"--quick", &a->quick,
+                       "a reduced version, in seconds; gives no verdict on claims"},
                       {.name = "-j,--threads",
                        .target = &a->threads,
                        .help = "runs at a time; all processors if left out",
                        .check = IntRange{1, 1024}},
-                      {"--seed", &a->seed, "the first seed"},
+                      {"--seed", &a->seed, "the first seed; that of the scenario if left out"},
                       {"--set", &a->settings,
                        "path=value, any option, also 'seeds=10' and the values of an axis: "
                        "'people=[0, 5]'; may come again"},
                       {"-o,--out", &a->folder, "folder for the results; results/NAME if left out"},
-                      {"--run", &a->run, "repeat the run of this number alone and print its row"},
+                      {"--run", &a->run,
+                       "repeat the run of this number alone and print its row; with --out its map, "
+                       "path and pictures are written there, too"},
                       {"--restart", &a->restart, "throw away what an interrupted start has done"},
                       {"--strict", &a->strict, "exit status 2 where a claim does not hold"}},
           .run = [a] { return run(*a); }};

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -10,10 +11,12 @@
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/progress.h"
+#include "bench/process/foreign_files.h"
 #include "bench/process/stopwatch.h"
 #include "bench/scenario/scenario_log.h"
 #include "bench/sources/files_record.h"
 #include "bench/sources/log_source.h"
+#include "bench/sources/simulated_log.h"
 #include "core/data_path.h"
 #include "core/file/atomic_file.h"
 #include "core/input_error.h"
@@ -77,10 +80,29 @@ const LogFormat& format_of(const SimulateArguments& a) {
   return a.format.empty() ? log_format_of_path(a.log) : log_format_by_name(a.format);
 }
 
+// Nothing is written over but what a simulation has written.
 void check_output(const std::string& log, const LogFormat& format) {
   // Of a folder that is not there yet: whether something of that name can be made.
   if (!format.is_folder || !std::filesystem::is_directory(log)) check_writable(log);
   refuse_foreign_simulation_files(log, format);
+  const bool is_there = std::filesystem::is_regular_file(log);
+  if (is_there && !is_special_file(log) && !is_simulated_log(log)) refuse_foreign(log);
+}
+
+// [m] of the path that is driven: how long the work will be.
+std::size_t path_meters(const NamedPath& path) {
+  double meters = 0.0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    meters += (path.points[i].position - path.points[i - 1].position).norm();
+  }
+  return static_cast<std::size_t>(std::ceil(meters));
+}
+
+SimulationResult told_simulation(const SimulationToRun& to_run) {
+  Progress progress("simulating, m of path", path_meters(to_run.simulation.path));
+  return run_watched_simulation(to_run.simulation, to_run.seed, [&](double meters) {
+    progress.advance_to(static_cast<std::size_t>(meters));
+  });
 }
 
 int simulate(SimulateArguments arguments) {
@@ -91,8 +113,7 @@ int simulate(SimulateArguments arguments) {
   const SimulationToRun to_run =
       while_told("building the world", [&] { return simulation_of(arguments); });
   const Stopwatch stopwatch;
-  const SimulationResult result =
-      while_told("simulating", [&] { return run_simulation(to_run.simulation, to_run.seed); });
+  const SimulationResult result = told_simulation(to_run);
   const double seconds = stopwatch.seconds();
   while_told("writing", [&] { write_simulation(arguments.log, result, format); });
 
@@ -126,17 +147,23 @@ Command simulate_command() {
           .options = {{"SCENARIO", &a->scenario, "a scenario's name or file (YAML)"},
                       {"--world", &a->world, "a world's name or file"},
                       {"--robot", &a->robot, "a robot's name or file"},
-                      {"--path", &a->path, "a named path of the world; its first where left out"},
-                      {"--driver", &a->driver, "who drives; the first of 'mapbed list drivers'"},
+                      {"--path", &a->path,
+                       "a named path of the world, as 'mapbed describe WORLD' lists them; its "
+                       "first where left out"},
+                      {"--driver", &a->driver,
+                       "who drives, of 'mapbed list drivers'; the usual one of the robot's drive "
+                       "where left out"},
                       {.name = "--people",
                        .target = &a->people,
                        .help = "how many are about, all together; as the world says if left out",
                        .check = Sign::not_negative},
-                      {"--seed", &a->seed, "of everything that is chance"},
+                      {"--seed", &a->seed,
+                       "of everything that is chance; the scenario's, or 1, if left out"},
                       {"--variant", &a->variant, "which of those that the scenario compares"},
                       {"--set", &a->settings,
-                       "any option: world.…, robot.…, simulation.…, driver.…, recorder.…, "
-                       "faults.…=value; of a scenario that sweeps one, its value"},
+                       "path=value, any option: world.…, robot.…, simulation.…, driver.…, "
+                       "recorder.…, faults.…; of a scenario that sweeps one, its value; may come "
+                       "again"},
                       {.name = "--format",
                        .target = &a->format,
                        .help = "of the log: ros1, ros2 (a folder), mcap, … as 'mapbed list "

@@ -90,6 +90,10 @@ TEST_F(SimulateCommand, ReplacesItsOwnFilesAndNoOthers) {
     EXPECT_FALSE(fs::exists(path("a.log")));
     fs::remove(path(name));
   }
+  write("a.log", "a recording of my own\n");
+  expect_refusal(short_drive("a.log"), "a.log: was not written by mapbed");
+  EXPECT_EQ(text("a.log"), "a recording of my own\n");
+  fs::remove(path("a.log"));
   fs::create_symlink("b.log", path("a.log"));
   for (const char* once : {"at first", "again"}) {
     EXPECT_EQ(call(short_drive("a.log")).status, 0) << once;

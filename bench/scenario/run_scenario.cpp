@@ -170,13 +170,15 @@ ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& opt
   return run;
 }
 
-RunRow repeat_run(const ScenarioPlan& plan, int run) {
+RunResult repeat_run(const ScenarioPlan& plan, int run) {
   CHECK(run >= 0 && run < plan.runs());
-  RunRow row;
-  const RunnerCalls calls{[&row](RunResult result) { row = std::move(result.row); },
-                          [] { return true; }};
+  RunResult repeated;
+  RunnerCalls calls;
+  calls.done = [&repeated](RunResult result) { repeated = std::move(result); };
+  calls.may_go_on = [] { return true; };
+  calls.shows_all = true;
   do_runs(plan, {run}, 1, calls);
-  return row;
+  return repeated;
 }
 
 }  // namespace mapbed

@@ -10,6 +10,8 @@
 
 namespace mapbed {
 
+struct RunResult;
+
 struct ScenarioRunOptions {
   std::string folder;  // of the results; exists
   int threads = 1;
@@ -44,7 +46,7 @@ using MayGoOn = std::function<bool(std::size_t done, std::size_t total)>;
 ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& options,
                          const MayGoOn& may_go_on);
 
-// One run alone, nothing is written.
-RunRow repeat_run(const ScenarioPlan& plan, int run);
+// One run alone, with all the files that the first seed's runs have; nothing is written.
+RunResult repeat_run(const ScenarioPlan& plan, int run);
 
 }  // namespace mapbed

@@ -213,7 +213,7 @@ class Runner {
     input.rng = Rng(row.seed).stream("experiment");
     input.seed = row.seed;
     input.goes_on = calls_.may_go_on;
-    input.shown = row.seed == plan_.scenario.seed;
+    input.shown = calls_.shows_all || row.seed == plan_.scenario.seed;
     input.label = label_of(row);
     for (const Metric& metric : plan_.results.metrics) input.wanted.insert(metric.name);
     for (const SeriesMetric& series : plan_.results.series_metrics) {

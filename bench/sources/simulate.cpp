@@ -1,12 +1,15 @@
 #include "bench/sources/simulate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "bench/process/foreign_files.h"
 #include "bench/sources/files_record.h"
+#include "bench/sources/simulated_log.h"
 #include "core/config/config_node.h"
 #include "core/config/yaml_scalar.h"
 #include "core/file/atomic_file.h"
@@ -238,7 +241,24 @@ PreparedSimulation prepare_simulation(const SimulationPlan& plan) {
   return prepare_simulation(plan, parts);
 }
 
-Recording record(const PreparedSimulation& prepared, std::uint64_t seed, const GoesOn& goes_on) {
+namespace {
+
+// Tells how far the robot has come, and hands on what it is told.
+std::function<void(StampedStates&&)> watched(std::function<void(StampedStates&&)> take,
+                                             const Driven& driven) {
+  if (!driven) return take;
+  return [take = std::move(take), &driven, meters = 0.0,
+          last = std::optional<Pose2>()](StampedStates&& states) mutable {
+    const Pose2& now = states.world_from_robot;
+    if (last) meters += std::hypot(now.x - last->x, now.y - last->y);
+    last = now;
+    driven(meters);
+    take(std::move(states));
+  };
+}
+
+Recording record(const PreparedSimulation& prepared, std::uint64_t seed, const GoesOn& goes_on,
+                 const Driven& driven) {
   const Rng rng(seed);
   Simulation simulation(*prepared.world, prepared.robot, start_of(prepared.path),
                         prepared.simulation, rng);
@@ -252,8 +272,15 @@ Recording record(const PreparedSimulation& prepared, std::uint64_t seed, const G
     throw_unless(goes_on);
     take(std::move(reading));
   };
+  sink.states = watched(std::move(sink.states), driven);
   recording.end = record(simulation, *driver, options, rng, sink);
   return recording;
+}
+
+}  // namespace
+
+Recording record(const PreparedSimulation& prepared, std::uint64_t seed, const GoesOn& goes_on) {
+  return record(prepared, seed, goes_on, {});
 }
 
 SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed) {
@@ -261,8 +288,17 @@ SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed) 
 }
 
 SimulationResult run_simulation(PreparedSimulation simulation, std::uint64_t seed) {
+  return run_watched_simulation(std::move(simulation), seed, {});
+}
+
+bool is_simulated_log(const std::string& log_path) {
+  return is_of_simulation(stem_of(log_path) + kConfig);
+}
+
+SimulationResult run_watched_simulation(PreparedSimulation simulation, std::uint64_t seed,
+                                        const Driven& driven) {
   SimulationResult result{.simulation = std::move(simulation), .seed = seed};
-  result.recording = record(result.simulation, seed);
+  result.recording = record(result.simulation, seed, {}, driven);
   result.log = with_noise(result.recording.readings, result.simulation.robot, Rng(seed));
   const PlannedFaults& faults = result.simulation.faults;
   if (faults.planned.empty()) return result;

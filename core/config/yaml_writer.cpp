@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/config/permitted_values.h"
 #include "core/config/set_option.h"
 #include "core/config/settings.h"
 #include "core/config/yaml_scalar.h"
@@ -10,6 +11,13 @@
 
 namespace mapbed {
 namespace {
+
+// What stands behind the value: what it is and, where that is asked for, what else it may be.
+std::string comment_of(const Option& option) {
+  const std::string permitted = PermittedValuesShown::now() ? permitted_values(option) : "";
+  const bool both = !option.about.empty() && !permitted.empty();
+  return option.about + (both ? "; " : "") + permitted;
+}
 
 std::vector<std::string> split(const std::string& path) {
   std::vector<std::string> parts;
@@ -35,7 +43,8 @@ std::string to_yaml(const OptionList& options) {
     open.assign(parts.begin(), parts.end() - 1);
     for (; same < depth; ++same) yaml += std::string(2 * same, ' ') + parts[same] + ":\n";
     yaml += std::string(2 * depth, ' ') + parts.back() + ": " + option_text(option);
-    yaml += option.about.empty() ? "\n" : "  # " + option.about + "\n";
+    const std::string comment = comment_of(option);
+    yaml += comment.empty() ? "\n" : "  # " + comment + "\n";
   }
   return yaml;
 }

@@ -20,7 +20,7 @@ namespace mapbed {
 //   materials:
 //     velvet: {like: fabric, reflectivity: 0.05, color: [0.4, 0.1, 0.1]}
 //   walls:
-//     - {name: wall, from: [0 m, 3 m], to: [8 m, 3 m], thickness: 12 cm, material: plaster,
+//     - {name: wall, from: [0 m, 3 m], to: [8 m, 3 m], thickness: 12 cm,   # at: from -> its middle
 //        openings: [{kind: door, at: 2 m, width: 0.9 m, open: true}]}
 //   shapes:
 //     - {name: crate, box: [1 m, 0.5 m, 0.8 m], at: [3 m, 4 m], heading: 30 deg, material: wood}
