@@ -8,6 +8,7 @@
 #include "bench/pages/scenario_page.h"
 #include "bench/pages/testing/example_results.h"
 #include "bench/results/result_folder.h"
+#include "core/file/hash.h"
 #include "core/file/text_file.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/throws_input_error.h"
@@ -164,6 +165,18 @@ TEST_F(ReportPage, AResultAtWhichARunIsAtWorkIsShownAndNotTouched) {
   EXPECT_THAT(read_text_file(folder_.file("report.html")), HasSubstr("of old"));
   write_reports(folder_.file(""));
   EXPECT_THAT(read_text_file(folder_.file("report.html")), Not(HasSubstr("of old")));
+}
+
+TEST_F(ReportPage, LeavesTablesOfRunsAsAnOlderProgramWroteThem) {
+  const std::string cost =
+      "run,seconds,recording_seconds,method_seconds,recorded_seconds,peak_memory_bytes\n"
+      "0,1.5,3.0,0.0,60.0,100000000\n2,0.5,0.0,0.0,60.0,120000000\n";
+  write_text_file(folder_.file("example/cost.csv"), cost);
+  write_text_file(folder_.file("example/provenance.json"),
+                  "{\"tables_sha256\": {\"cost.csv\": \"" + sha256(cost) + "\"}}\n");
+  write_reports(folder_.file("example"));
+  EXPECT_EQ(read_text_file(folder_.file("example/cost.csv")), cost);
+  EXPECT_NO_THROW(load_results(folder_.file("example")));
 }
 
 TEST_F(ReportPage, TheSameResultsAreTheSamePage) {

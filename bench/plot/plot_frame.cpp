@@ -120,6 +120,7 @@ std::string x_axis(const PlotArea& area, const Axis& axis, const std::vector<Tic
   }
   y = area.bottom() + 5.0 + 1.2 * kSmall;
   if (is_turned) y += widest(ticks) * kTurnSin;
+  if (title_of(axis).empty()) return result;
   y += kTextSize * kLine;
   const double middle = area.left + area.width / 2;
   const double room = 2 * (std::min(middle, kPlotWidth - middle) - kLeftmost);
