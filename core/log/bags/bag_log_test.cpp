@@ -129,7 +129,7 @@ TEST(FramesOfABag, ALaserUpsideDownIsMountedUprightWithItsBeamsTheOtherWayRound)
                .add_transform("/tf_static", {"base_link", "laser", Pose2{0.5, 0.0, 0.25}, kPi})
                .add("/scan", {.time = 1.0})
                .add_odometry("/odom", 1.0, Pose2{}));
-  const LaserScan& scan = scans_of(log).at(0);
+  const LaserScan scan = scans_of(log).at(0);
   EXPECT_TRUE(scan.robot_from_laser.is_level());
   EXPECT_THAT(scan.robot_from_laser.planar, IsNear(Pose2{0.5, 0.0, 0.25}, kExact));
   EXPECT_EQ(scan.first_bearing, 1.0);
