@@ -136,9 +136,10 @@ TEST_F(ChildProcess, SeveralAtATimeDoNotHoldEachOther) {
 }
 
 TEST_F(ChildProcess, CostsWhatItsWholeFamilyNeeded) {
-  // A shell that the first one starts and waits for starts one that fills a buffer.
+  // A shell that the first one starts and waits for starts one that fills a buffer, and
+  // keeps it for long enough to be seen full.
   const ChildEnd end =
-      run_child(script("sh -c 'dd if=/dev/zero of=/dev/null bs=200M count=1; true'; true"));
+      run_child(script("sh -c 'dd if=/dev/zero of=/dev/null bs=200M count=10; true'; true"));
   ASSERT_TRUE(end.is_success());
   EXPECT_GT(end.peak_memory, 200e6);
   EXPECT_LT(end.peak_memory, 250e6);

@@ -22,7 +22,7 @@ struct RunnerCalls {
   std::function<void(RunResult)> done;  // a run is over; throws to stop everything
   GoesOn may_go_on;                     // false: nothing more is started, and no log read on
   std::function<void(const std::string&)> remark = {};  // of a recording that runs share
-  bool shows_all = false;               // files of every run, not of those of the first seed alone
+  bool shows_all = false;  // files of every run, not of those of the first seed alone
 };
 
 // Does the runs of these numbers, `threads` at a time at most; runs that share a recording share

@@ -22,7 +22,8 @@ namespace mapbed {
 // the same numbers whatever the others see, and whatever mechanisms are switched on.
 LaserScan with_noise(const IdealScan& ideal, const MountedLaser& laser, const Rng& rng);
 
-// What a device has of its own for all its life: drawn with `rng`, the run's, by the laser's number.
+// What a device has of its own for all its life: drawn with `rng`, the run's, by the laser's
+// number.
 struct DeviceError {
   double bias = 0.0;   // [m]
   double scale = 1.0;  // of ranges

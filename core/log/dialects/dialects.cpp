@@ -10,13 +10,8 @@ namespace mapbed {
 
 std::span<const LogDialect> log_dialects() {
   static const LogDialect dialects[] = {
-      dpslam_dialect(),
-      carmen_dialect(),
-      scan_list_dialect(),
-      coreslam_dialect(),
-      rosbag1_dialect(),
-      rosbag2_dialect(),
-      mcap_dialect(),
+      dpslam_dialect(),  carmen_dialect(),  scan_list_dialect(), coreslam_dialect(),
+      rosbag1_dialect(), rosbag2_dialect(), mcap_dialect(),
   };
   return dialects;
 }
