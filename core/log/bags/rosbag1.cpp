@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/file/unpack.h"
+#include "core/log/bags/rosbag1_format.h"
 
 namespace mapbed {
 namespace {
@@ -16,14 +17,7 @@ using namespace std::string_view_literals;
 constexpr std::size_t kLongestHeader = 1 << 20;  // [bytes] of a record
 constexpr std::size_t kMostConnections = 1 << 16;
 
-enum class Op : std::uint8_t {
-  message = 2,
-  bag_header = 3,
-  index = 4,
-  chunk = 5,
-  chunk_info = 6,
-  connection = 7
-};
+using Op = Rosbag1Op;
 
 // The value of a field in a header of `name=value` fields; empty where it is not there.
 std::string_view field(std::string_view header, std::string_view name) {

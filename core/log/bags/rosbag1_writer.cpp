@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/log/bags/rosbag1_format.h"
 #include "core/log/ros/ros_output.h"
 
 namespace mapbed {
@@ -13,14 +14,7 @@ namespace {
 constexpr std::size_t kChunk = 768 << 10;  // [bytes] after which the next one begins
 constexpr std::size_t kBagHeader = 4096;   // [bytes] that it is padded to
 
-enum class Op : std::uint8_t {
-  message = 2,
-  bag_header = 3,
-  index = 4,
-  chunk = 5,
-  chunk_info = 6,
-  connection = 7
-};
+using Op = Rosbag1Op;
 
 RosOutput fields() {
   return RosOutput(RosEncoding::ros1);
