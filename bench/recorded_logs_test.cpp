@@ -1,6 +1,7 @@
 // What scan matching and the particle filter have to reach on public logs. Skipped where
 // MAPBED_DATA does not name the folder that holds them.
 
+#include <algorithm>
 #include <cstdlib>
 #include <ostream>
 #include <string>
@@ -18,8 +19,11 @@
 #include "core/data_path.h"
 #include "core/geometry/angle.h"
 #include "core/geometry/tum_file.h"
+#include "core/log/bags/bag_writer.h"
+#include "core/log/dialects/carmen_log.h"
 #include "core/log/log_description.h"
 #include "core/random.h"
+#include "core/testing/temporary_folder.h"
 
 namespace mapbed {
 namespace {
@@ -169,6 +173,27 @@ INSTANTIATE_TEST_SUITE_P(
                       ReferenceCase{"freiburg_101",
                                     "/radish_gfs/rawodom/freiburg-101_reference_poses.txt.gz"}),
     [](const auto& tested) { return tested.param.name; });
+
+class AsABag : public RecordedLogs, public ::testing::WithParamInterface<const char*> {};
+
+// Though it keeps floats. Only how far readings that hit nothing were beyond the maximum range is
+// not told by a bag, and nothing here asks.
+TEST_P(AsABag, HasTheLogsOwnMeasurementsToTheLastBit) {
+  RecordedLog log = load(GetParam());
+  for (Measurement& measurement : log.measurements) {
+    auto* scan = std::get_if<LaserScan>(&measurement);
+    if (scan == nullptr) continue;
+    for (double& range : scan->ranges) range = std::min(range, scan->max_range);
+  }
+  log.parameters.clear();
+  const TemporaryFolder folder;
+  write_rosbag1(folder.file("a.bag"), log);
+  EXPECT_TRUE(carmen_text(load_log(folder.file("a.bag"))) == carmen_text(log));
+}
+
+INSTANTIATE_TEST_SUITE_P(RecordedLogs, AsABag,
+                         ::testing::Values("intel_910", "aces", "freiburg_101", "seattle",
+                                           "sena_malaga", "scan_tools_demo"));
 
 }  // namespace
 }  // namespace mapbed

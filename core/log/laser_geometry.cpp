@@ -84,6 +84,13 @@ bool comes_up_more_often(const Scans& scans, double top, double end, std::ptrdif
   return most_frequent(std::move(readings)).most > than;
 }
 
+bool has_infinite_readings(const Scans& scans) {
+  return std::any_of(scans.begin(), scans.end(), [](const LaserScan* scan) {
+    return std::any_of(scan->ranges.begin(), scan->ranges.end(),
+                       [](double r) { return std::isinf(r); });
+  });
+}
+
 // A pile of equal readings at the upper end of the scale.
 std::optional<double> pile_at_the_top(const Scans& scans, double top) {
   if (!(top > 0.0)) return std::nullopt;
@@ -131,6 +138,7 @@ Pose2 mount_of(int laser, const RecordedLog& log, const LogOptions& options) {
 }
 
 double max_range_of(const std::vector<const LaserScan*>& scans, double stated) {
+  if (stated > 0.0 && has_infinite_readings(scans)) return stated;
   double top = 0.0;
   for (const LaserScan* scan : scans)
     for (const double r : scan->ranges)

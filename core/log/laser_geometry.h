@@ -29,7 +29,8 @@ StatedBearings stated_bearings(const RecordedLog& log, int laser);
 // rear laser (1) looks backwards.
 Pose2 mount_of(int laser, const RecordedLog& log, const LogOptions& options);
 
-// From which reading on nothing was hit. The option wins; else the smaller of what the log states
+// From which reading on nothing was hit. The option wins, then what a log states that says by
+// infinite readings where nothing was hit; else the smaller of what the log states
 // (the line, or PARAM robot_front_laser_max or laser_front_laser_max_range) and what the readings
 // show:
 //   - a reading of 81.83 to 81.91 m, 8.183 to 8.191 m or 32.759 to 32.767 m is one of the nine

@@ -45,5 +45,15 @@ TEST(MaxRange, IsThePileAtTheTopThatCountingFinds) {
   EXPECT_LT(piles, 350);
 }
 
+// A robot in front of a wall: its readings are a pile, too.
+TEST(MaxRange, IsWhatIsStatedWhereInfiniteReadingsSayWhatIsNone) {
+  LaserScan scan;
+  scan.ranges.assign(200, 5.0);
+  EXPECT_EQ(max_range_of({&scan}, 8.0), 5.0);
+  scan.ranges.push_back(INFINITY);
+  EXPECT_EQ(max_range_of({&scan}, 8.0), 8.0);
+  EXPECT_EQ(max_range_of({&scan}, 0.0), 5.0);
+}
+
 }  // namespace
 }  // namespace mapbed

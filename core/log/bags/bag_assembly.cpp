@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/log/ros/ros_scan.h"
+#include "core/log/ros/unrounded.h"
 
 namespace mapbed {
 namespace {
@@ -75,7 +76,7 @@ Stream stream_of(const OdometryOfBag& odometry, const Pose3& child_from_robot) {
   Stream stream;
   stream.reserve(odometry.readings.size());
   for (const BagOdometry& reading : odometry.readings) {
-    const Pose2 pose = planar(reading.odometry_from_child * child_from_robot);
+    const Pose2 pose = unrounded_plan(reading.odometry_from_child * child_from_robot);
     stream.push_back(
         {reading.message, 0.0, Odometry{reading.time, pose, reading.forward, reading.turn}});
   }

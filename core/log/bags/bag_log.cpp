@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/log/ros/ros_scan.h"
+#include "core/log/ros/unrounded.h"
 
 namespace mapbed {
 namespace {
@@ -145,7 +146,7 @@ void BagLog::take_truth(int topic, double time, RosInput& in) {
   }
   if (!is_whole(in, topic)) return;
   const double stamp = stamp_of(message.header, time, topic);
-  builder_.add_true_pose({stamp, planar(checked(message.pose))}, messages_);
+  builder_.add_true_pose({stamp, unrounded_plan(checked(message.pose))}, messages_);
 }
 
 BagContents BagLog::contents(const std::string& format) const {

@@ -40,8 +40,8 @@ std::optional<T> number(std::string_view header, std::string_view name) {
 // Seconds and nanoseconds, [s].
 double time_of_field(std::string_view header, std::string_view name) {
   ByteInput in(field(header, name));
-  const double seconds = static_cast<double>(in.u32());
-  return seconds + static_cast<double>(in.u32()) / 1e9;
+  const std::int64_t seconds = in.u32();
+  return seconds_of(1'000'000'000 * seconds + in.u32());
 }
 
 // [bytes] Some bags of 2010 tell a wrong length of their index; the number of its entries is right.

@@ -1,6 +1,6 @@
 #include "core/log/ros/ros_input.h"
 
-#include <algorithm>
+#include "core/log/ros/unrounded.h"
 
 namespace mapbed {
 
@@ -30,9 +30,9 @@ std::string_view RosInput::text() {
 }
 
 double RosInput::stamp() {
-  const double seconds = is_cdr_ ? static_cast<double>(number<std::int32_t>())
-                                 : static_cast<double>(number<std::uint32_t>());
-  return seconds + static_cast<double>(number<std::uint32_t>()) / 1e9;
+  const std::int64_t seconds =
+      is_cdr_ ? std::int64_t{number<std::int32_t>()} : std::int64_t{number<std::uint32_t>()};
+  return seconds_of(1'000'000'000 * seconds + number<std::uint32_t>());
 }
 
 void RosInput::skip_sequence() {
@@ -54,7 +54,7 @@ std::vector<double> RosInput::floats() {
     float single = 0.0F;
     std::memcpy(&single, bytes, sizeof single);
     bytes += sizeof single;
-    value = static_cast<double>(single);
+    value = unrounded(single);
   }
   return values;
 }

@@ -14,9 +14,11 @@ enum class RosEncoding : int {
   other,  // JSON, protobuf, …: not read here
 };
 
-// [s] without the rounding of a large number of nanoseconds.
+// [s] The nearest to so many nanoseconds.
 constexpr double seconds_of(std::int64_t nanoseconds) {
   constexpr std::int64_t kSecond = 1'000'000'000;
+  constexpr std::int64_t kWhole = std::int64_t{1} << 53;  // that a double has to the last one
+  if (nanoseconds > -kWhole && nanoseconds < kWhole) return static_cast<double>(nanoseconds) / 1e9;
   return static_cast<double>(nanoseconds / kSecond) +
          static_cast<double>(nanoseconds % kSecond) / 1e9;
 }
@@ -42,7 +44,7 @@ class RosInput {
   void skip_sequence();  // the number that a ROS 1 header begins with
   // The number of elements that follow, of which each takes at least so many bytes.
   std::size_t count(std::size_t least_bytes);
-  std::vector<double> floats();  // a counted list of 32-bit numbers
+  std::vector<double> floats();  // a counted list of 32-bit numbers, as unrounded.h reads them
   void skip_doubles(std::size_t count);
 
  private:

@@ -48,6 +48,7 @@ TEST(RosInput, HasNoMoreElementsThanBytes) {
 TEST(RosInput, StampsKeepTheirNanosecondsAsFarAsADoubleDoes) {
   EXPECT_EQ(seconds_of(1'600'000'000'100'000'000), 1600000000.1);
   EXPECT_EQ(seconds_of(100'000'000), 0.1);
+  EXPECT_EQ(seconds_of(2'500'000'175), 2.500000175);  // 2 + 0.500000175 is one bit less
 }
 
 }  // namespace

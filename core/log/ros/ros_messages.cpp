@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/log/bag_options.h"
+#include "core/log/ros/unrounded.h"
 
 namespace mapbed {
 namespace {
@@ -36,10 +37,11 @@ Pose3 read_pose(RosInput& in) {
 }
 
 void read_geometry(RosInput& in, RosLaserScan& scan) {
+  for (double* const angle : {&scan.angle_min, &scan.angle_max, &scan.angle_increment})
+    *angle = unrounded_bearing(in.number<float>());
   for (double* const value :
-       {&scan.angle_min, &scan.angle_max, &scan.angle_increment, &scan.time_increment,
-        &scan.scan_time, &scan.range_min, &scan.range_max})
-    *value = static_cast<double>(in.number<float>());
+       {&scan.time_increment, &scan.scan_time, &scan.range_min, &scan.range_max})
+    *value = unrounded(in.number<float>());
 }
 
 std::vector<std::vector<double>> read_echoes(RosInput& in) {

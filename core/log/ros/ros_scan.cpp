@@ -6,6 +6,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/log/laser_geometry.h"
+#include "core/log/ros/unrounded.h"
 
 namespace mapbed {
 namespace {
@@ -28,7 +29,7 @@ double clean_range(double range, double range_min) {
   return range;
 }
 
-// Mounts that come from sines and cosines are off by their last digits.
+// [m] Mounts that come by sines and cosines are off in their last digits.
 double rounded(double value) {
   return std::round(value * 1e9) / 1e9 + 0.0;
 }
@@ -67,9 +68,9 @@ void set_mount(LaserScan& scan, const Pose3& robot_from_laser) {
   mount.planar.x = rounded(robot_from_laser.position.x());
   mount.planar.y = rounded(robot_from_laser.position.y());
   mount.z = rounded(robot_from_laser.position.z());
-  mount.planar.theta = normalized_angle(rounded(std::atan2(axes(1, 0), axes(0, 0))));
-  mount.pitch = rounded(std::asin(std::clamp(-axes(2, 0), -1.0, 1.0)));
-  mount.roll = rounded(std::atan2(axes(2, 1), axes(2, 2)));
+  mount.planar.theta = normalized_angle(unrounded_mount_angle(std::atan2(axes(1, 0), axes(0, 0))));
+  mount.pitch = unrounded_mount_angle(std::asin(std::clamp(-axes(2, 0), -1.0, 1.0)));
+  mount.roll = unrounded_mount_angle(std::atan2(axes(2, 1), axes(2, 2)));
 }
 
 }  // namespace mapbed
