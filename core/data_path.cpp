@@ -60,7 +60,8 @@ std::string with_whole_path(const std::string& value, const SourceLocation& plac
   if (!may_be_path || value.find_first_of("\n[{") != std::string::npos) return value;
   const fs::path folder = place.line > 0 ? fs::path(place.file).parent_path() : fs::path();
   const fs::path path = fs::absolute(folder / value).lexically_normal();
-  return is_surely_path(value) || is_file(path) ? path.string() : value;
+  const bool leads_somewhere = is_file(path) || (value.find('/') != value.npos && is_folder(path));
+  return is_surely_path(value) || leads_somewhere ? path.string() : value;
 }
 
 std::filesystem::path data_home() {

@@ -22,7 +22,7 @@ std::filesystem::path find_data_file(const std::string& kind, const std::string&
 // Where the file is that a value names, from the root: a relative path counts from the folder of
 // the file in which the value stands, `place`; one without a line stands on the command line, and
 // counts from the working folder. Every other value stays as it is. A path ends in .yaml, begins
-// with ./ or ../, or has a '/' or '.' and leads to a file.
+// with ./ or ../, or has a '/' or '.' and leads to a file, or has a '/' and leads to a folder.
 std::string with_whole_path(const std::string& value, const SourceLocation& place);
 
 // A file's path on every machine: that of a data file counts from data_home()

@@ -92,5 +92,13 @@ TEST(WholePath, LeavesAloneWhatNamesNoFile) {
   EXPECT_EQ(with_whole_path("drive.log", place), folder.file("drive.log"));
 }
 
+TEST(WholePath, OfAFolderIsToldByItsSlash) {
+  const TemporaryFolder folder;
+  const SourceLocation place{folder.file("x.yaml"), 1};
+  std::filesystem::create_directories(folder.file("bags/drive.1"));
+  EXPECT_EQ(with_whole_path("bags/drive.1", place), folder.file("bags/drive.1"));
+  EXPECT_EQ(with_whole_path("bags", place), "bags");
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -21,10 +21,11 @@
 
 namespace mapbed {
 
-// A log in a file.
+// A log in a file, or in the files of a folder.
 struct RecordedPlan {
-  InputFile log;
-  LogOptions options;
+  std::string path;
+  InputFiles log = {};
+  LogOptions options = {};
   // Where people measured how the robot moved, and poses that reach their stamps; none: nobody did.
   std::optional<InputFile> relations;
   std::optional<InputFile> relations_odometry;

@@ -20,12 +20,23 @@
 namespace mapbed {
 namespace {
 
+// "drive" is a name, though a folder may be called so.
+void refuse_path_that_looks_like_a_name(const Setting& log) {
+  const std::vector<std::string> names = data_names("scenarios/logs");
+  if (std::find(names.begin(), names.end(), log.text) != names.end()) return;
+  const std::filesystem::path folder(log.place.line > 0 ? log.place.file : "");
+  if (!std::filesystem::exists(folder.parent_path() / log.text)) return;
+  throw InputError(log.place, in_quotes(log.text) + " is no name that 'mapbed list logs' shows",
+                   "write ./" + log.text + " for the file or folder that is called so");
+}
+
 // The log's own path, or that of its description.
 std::string path_of(const Setting& log) {
   const bool is_path = log.text.find('/') != std::string::npos;
+  if (!is_path) refuse_path_that_looks_like_a_name(log);
   if (!is_path) return find_data_file("log", "scenarios/logs", log.text).string();
-  if (std::filesystem::is_regular_file(log.text)) return log.text;
-  throw InputError(log.place, in_quotes(log.text) + " is no file",
+  if (std::filesystem::exists(log.text)) return log.text;
+  throw InputError(log.place, in_quotes(log.text) + " is neither a file nor a folder",
                    "give the path of a log or one of the names that 'mapbed list logs' shows");
 }
 
@@ -52,8 +63,8 @@ Settings faults_of(const Settings& settings) {
 }
 
 RecordedLog read(const RecordedPlan& plan, const GoesOn& goes_on = {}) {
-  check_unchanged(plan.log);
-  RecordedLog log = load_log(plan.log.path, plan.options, goes_on);
+  for (const InputFile& file : plan.log) check_unchanged(file);
+  RecordedLog log = load_log(plan.path, plan.options, goes_on);
   (void)choose_geometry(log);
   return log;
 }
@@ -116,7 +127,9 @@ std::optional<InputFile> found(const LogDescription& description, const StoredFi
 }
 
 RecordedPlan described(const LogDescription& description, HashedFiles& files) {
-  return {.log = find_stored(description, description.log, files),
+  const InputFile log = find_stored(description, description.log, files);
+  return {.path = log.path,
+          .log = {log},
           .options = description.options,
           .relations = found(description, description.relations, files),
           .relations_odometry = found(description, description.relations_odometry, files),
@@ -124,7 +137,7 @@ RecordedPlan described(const LogDescription& description, HashedFiles& files) {
 }
 
 InputFiles files_of(const RecordedPlan& plan) {
-  InputFiles files = {plan.log};
+  InputFiles files = plan.log;
   for (const auto& file : {plan.relations, plan.relations_odometry, plan.reference}) {
     if (file) merge({*file}, files);
   }
@@ -148,7 +161,8 @@ SourcePlan plan_recorded(const Settings& settings, HashedFiles& files) {
       plan.missing = fmt::format("the log '{}' is not here ({})", log.text, description.log.file);
     }
   } else {
-    recorded.log = files.at(path);
+    recorded.path = path;
+    for (const std::string& file : files_of_log(path)) recorded.log.push_back(files.at(file));
   }
   apply(log_options_of(settings), options_of(recorded.options), "log");
   plan.complete_yaml =

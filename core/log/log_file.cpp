@@ -1,13 +1,16 @@
 #include "core/log/log_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include <fmt/core.h>
 
 #include "core/file/file_reader.h"
 #include "core/file/tokens.h"
 #include "core/log/bags/bag_file.h"
+#include "core/log/bags/bag_folder.h"
 #include "core/log/dialects/dialects.h"
 
 namespace mapbed {
@@ -127,7 +130,7 @@ RecordedLog load_log(const std::string& path, const LogOptions& options, const G
     return first_seconds_of(bag.finish(format), path, options.longest);
   }
   LogParser parser(path, options);
-  FileReader file(path);
+  FileReader file(files_of_log(path).front());
   double total = 0.0;
   for (std::string_view piece = file.next(); !piece.empty(); piece = file.next()) {
     throw_unless(goes_on);
@@ -138,6 +141,19 @@ RecordedLog load_log(const std::string& path, const LogOptions& options, const G
     parser.add(piece);
   }
   return parser.finish();
+}
+
+std::vector<std::string> files_of_log(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored)) return {path};
+  std::vector<std::string> files = bag_folder(path).files;
+  if (files.empty())
+    throw InputError({path}, "is a folder without a bag in it",
+                     "give the path of a log, or the folder into which ROS 2 has recorded");
+  const fs::path metadata = fs::path(path) / "metadata.yaml";
+  if (fs::is_regular_file(metadata, ignored)) files.push_back(metadata.string());
+  return files;
 }
 
 std::optional<BagContents> bag_contents(const std::string& path) {

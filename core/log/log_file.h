@@ -41,6 +41,7 @@ struct RecordedTopic {
   std::string name;  // "/scan"
   std::string type;  // "sensor_msgs/LaserScan"
   long messages = 0;
+  std::string unread = {};  // why nothing is made of its messages; empty: they can be of use
 };
 
 // What a bag holds, of whatever kind.
@@ -65,6 +66,10 @@ RecordedLog load_log(const std::string& path, const LogOptions& options = {},
                      const GoesOn& goes_on = {});
 RecordedLog parse_log(const std::string& name, std::string_view text,
                       const LogOptions& options = {});
+
+// The files that a log is read from, in their order: itself, or those of a bag's folder, with what
+// it says of them. Throws InputError for a folder that is no bag.
+std::vector<std::string> files_of_log(const std::string& path);
 
 // None where the file or folder is no bag. Throws InputError where it cannot be read.
 std::optional<BagContents> bag_contents(const std::string& path);

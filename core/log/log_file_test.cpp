@@ -296,14 +296,15 @@ TEST_F(LogFile, TheDialectIsToldBehindAnyNumberOfComments) {
 
 TEST_F(LogFile, AMissingFileOrAFolderIsRefused) {
   EXPECT_EQ(message_of("nowhere.log"), "nowhere.log: no such file");
-  EXPECT_THAT(message_of(::testing::TempDir()), HasSubstr("is a folder, not a file"));
+  EXPECT_THAT(message_of(::testing::TempDir()), HasSubstr("is a folder without a bag in it"));
 }
 
 TEST_F(LogFile, TheFolderOfARos2BagIsReadAsABag) {
   const std::filesystem::path bag = std::filesystem::path(::testing::TempDir()) / "drive_bag";
   std::filesystem::create_directories(bag);
   std::ofstream(bag / "drive_0.db3") << "SQLite format 3";
-  EXPECT_THAT(message_of(bag.string()), HasSubstr("drive_bag: is no ROS 2 bag that can be read"));
+  EXPECT_THAT(message_of(bag.string()),
+              HasSubstr("drive_bag/drive_0.db3: is no ROS 2 bag that can be read"));
   std::filesystem::remove_all(bag);
 }
 
