@@ -228,7 +228,8 @@ std::string text_of_bag(const BagContents& bag) {
   std::string text =
       fmt::format("format: {}\nrecorded: {:.1f} s\ntopics:\n", bag.format, bag.seconds);
   for (const RecordedTopic& topic : bag.topics)
-    text += fmt::format("  - {}: {} {}\n", topic.name, topic.messages, topic.type);
+    text += fmt::format("  - {}: {} {}{}\n", topic.name, topic.messages, topic.type,
+                        topic.unread.empty() ? "" : ", not read: " + topic.unread);
   return text;
 }
 

@@ -182,6 +182,7 @@ FileText text_of_bag_with_log(const std::string& path, const BagContents& bag) {
     const std::string text = text_of_log(path);
     found.text += text.substr(text.find('\n') + 1);  // the format is told
   } catch (const InputError& error) {
+    if (bag.topics.empty()) throw;
     found.text += std::string("remark: ") + error.what() + "\n";
   }
   return found;

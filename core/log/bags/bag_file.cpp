@@ -78,6 +78,21 @@ std::string read_file(const std::string& path, BagLog& log, const GoesOn& goes_o
       first, [&] { return file.next(); }, log, goes_on);
 }
 
+// One that is broken from its beginning on, as a recorder leaves it that was killed, does not hide
+// the others, and has no format.
+std::string read_part(const std::string& path, bool is_only_one, BagLog& log,
+                      const GoesOn& goes_on) {
+  const long before = log.messages();
+  log.begin_part(path);
+  try {
+    return read_file(path, log, goes_on);
+  } catch (const InputError& error) {
+    if (is_only_one || log.messages() > before) throw;
+    log.remark("a part of it cannot be read", fmt::format(", {}", error.what()));
+    return {};
+  }
+}
+
 }  // namespace
 
 bool is_bag(const std::string& path) {
@@ -94,7 +109,11 @@ std::string read_bag(const std::string& path, BagLog& log, const GoesOn& goes_on
   const BagFolder folder = bag_folder(path);
   if (!folder.remark.empty()) log.remark(folder.remark);
   std::string format;
-  for (const std::string& file : folder.files) format = read_file(file, log, goes_on);
+  for (const std::string& file : folder.files) {
+    const std::string part = read_part(file, folder.files.size() == 1, log, goes_on);
+    if (!part.empty()) format = part;
+  }
+  log.end_parts();
   return format;
 }
 

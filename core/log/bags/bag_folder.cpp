@@ -57,6 +57,7 @@ std::vector<Part> parts_in(const std::string& folder) {
 // The files that metadata.yaml names; those that are not there are in the remark.
 BagFolder by_metadata(const std::string& folder, const std::string& yaml) {
   BagFolder result;
+  std::string missing;
   const ConfigNode file = load_config(yaml);
   const ConfigNode& about = file.at("rosbag2_bagfile_information");
   for (const std::string& name : about.at("relative_file_paths").texts()) {
@@ -65,8 +66,9 @@ BagFolder by_metadata(const std::string& folder, const std::string& yaml) {
     if (fs::is_regular_file(path))
       result.files.push_back(path.string());
     else
-      result.remark = fmt::format("{} of metadata.yaml is not there", in_quotes(name));
+      missing += (missing.empty() ? "" : ", ") + in_quotes(name);
   }
+  if (!missing.empty()) result.remark = missing + " of metadata.yaml: not there";
   file.use_all();
   return result;
 }

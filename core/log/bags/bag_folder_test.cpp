@@ -35,12 +35,13 @@ TEST_F(FolderOfABag, HasTheFilesThatItsMetadataNameInTheirOrder) {
   for (const char* name : {"a_0.db3", "a_1.db3", "of_another_day.db3"}) add(name);
   add("metadata.yaml",
       "rosbag2_bagfile_information:\n  version: 5\n  storage_identifier: sqlite3\n"
-      "  relative_file_paths:\n    - a_1.db3\n    - drive/a_0.db3\n    - a_2.db3\n"
+      "  relative_file_paths:\n    - a_1.db3\n    - drive/a_0.db3\n    - a_2.db3\n    - a_3.db3\n"
       "  topics_with_message_count:\n    - topic_metadata:\n        name: /scan\n"
       "        offered_qos_profiles: \"- history: 3\\n  depth: 0\"\n      message_count: 3\n"
       "  compression_format: \"\"\n");
   EXPECT_THAT(names(), ElementsAre("a_1.db3", "a_0.db3"));
-  EXPECT_THAT(bag_folder(folder_.file(".")).remark, HasSubstr("'a_2.db3' of metadata.yaml is not"));
+  EXPECT_THAT(bag_folder(folder_.file(".")).remark,
+              HasSubstr("'a_2.db3', 'a_3.db3' of metadata.yaml: not there"));
 }
 
 TEST_F(FolderOfABag, WithoutMetadataHasThePartsOfOneBagByTheirNumbers) {

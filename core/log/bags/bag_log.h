@@ -21,8 +21,12 @@ class BagLog {
  public:
   BagLog(const std::string& name, const LogOptions& options);
 
-  const std::string& name() const { return builder_.name(); }
-  std::size_t max_bytes() const;  // that anything packed may come to
+  // Of the bag, or of the file of it that is read.
+  const std::string& name() const { return part_.empty() ? builder_.name() : part_; }
+  void begin_part(const std::string& path) { part_ = path; }
+  void end_parts() { part_.clear(); }
+  long messages() const { return messages_; }  // so far
+  std::size_t max_bytes() const;               // that anything packed may come to
 
   // What the reader of a kind of bag finds, in the order of the file.
   int add_topic(const BagTopic& topic) { return topics_.add(topic); }
@@ -53,6 +57,7 @@ class BagLog {
   bool is_counting_ = false;
   bool has_several_lasers_ = false;  // of which none is named
   std::string damage_;               // the first remark
+  std::string part_;                 // path of the file that is read, where there are several
 };
 
 }  // namespace mapbed

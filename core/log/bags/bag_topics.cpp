@@ -52,9 +52,14 @@ int BagTopics::add(const BagTopic& topic) {
   }
   if (entries_.size() == kMostTopics)
     throw InputError({bag_}, fmt::format("has more than {} topics", kMostTopics));
-  const RosType type =
-      topic.encoding == RosEncoding::other ? RosType::other : ros_type_of(topic.type);
-  entries_.push_back({topic, type, {topic.name, short_type_name(topic.type)}});
+  const RosType type = ros_type_of(topic.type);
+  const bool is_foreign = topic.encoding == RosEncoding::other;
+  RecordedTopic told{topic.name, short_type_name(topic.type)};
+  if (type == RosType::other)
+    told.unread = "no measurement here is of this kind";
+  else if (is_foreign)
+    told.unread = "its messages are neither those of ROS 1 nor CDR";
+  entries_.push_back({topic, is_foreign ? RosType::other : type, std::move(told)});
   return static_cast<int>(entries_.size() - 1);
 }
 

@@ -6,18 +6,12 @@
 
 #include "core/file/hash.h"
 #include "core/file/unpack.h"
+#include "core/log/bags/mcap_format.h"
 
 namespace mapbed {
 namespace {
 
-enum class Kind : std::uint8_t {
-  footer = 2,
-  schema = 3,
-  channel = 4,
-  message = 5,
-  chunk = 6,
-  data_end = 15
-};
+using Kind = McapRecord;
 
 constexpr std::size_t kRecordHeader = 9;  // [bytes] kind and length
 

@@ -7,25 +7,14 @@
 
 #include "core/file/hash.h"
 #include "core/log/bags/mcap.h"
+#include "core/log/bags/mcap_format.h"
 #include "core/log/bags/qos_profile.h"
 #include "core/log/ros/ros_output.h"
 
 namespace mapbed {
 namespace {
 
-enum class Kind : std::uint8_t {
-  header = 1,
-  footer = 2,
-  schema = 3,
-  channel = 4,
-  message = 5,
-  chunk = 6,
-  message_index = 7,
-  chunk_index = 8,
-  statistics = 11,
-  summary_offset = 14,
-  data_end = 15
-};
+using Kind = McapRecord;
 
 constexpr std::size_t kChunk = 1 << 20;  // [bytes] after which the next one begins
 
