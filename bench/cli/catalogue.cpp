@@ -1,5 +1,7 @@
 #include "bench/cli/catalogue.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "algorithms/grid/map_builder.h"
@@ -240,8 +242,12 @@ std::string text_of_log(const std::string& path) {
     remarks.push_back(std::move(remark));
   }
   const double seconds = time_of(log.measurements.back()) - time_of(log.measurements.front());
-  std::string text = fmt::format("format: {}\nmeasurements: {} in {:.1f} s\nlasers:\n", log.format,
-                                 log.measurements.size(), seconds);
+  const auto scans =
+      std::count_if(log.measurements.begin(), log.measurements.end(),
+                    [](const Measurement& m) { return std::holds_alternative<LaserScan>(m); });
+  std::string text = fmt::format(
+      "format: {}\nmeasurements: {} scans and {} odometry readings in {:.1f} s\nlasers:\n",
+      log.format, scans, static_cast<std::ptrdiff_t>(log.measurements.size()) - scans, seconds);
   for (const RecordedLaser& laser : log.lasers) text += "  - " + to_string(laser) + "\n";
   for (const Remark& remark : remarks) text += "remark: " + remark.text + "\n";
   for (const LogWarning& warning : log.warnings) text += "warning: " + to_string(warning) + "\n";

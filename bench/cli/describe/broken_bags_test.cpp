@@ -146,7 +146,8 @@ TEST_F(BrokenBag, TopicsThatNothingReadsAreToldAsSuch) {
   write("a.bag", bag.bytes());
   expect_topics_of("a.bag",
                    "  - /imu: 1 sensor_msgs/Imu, not read: no measurement here is of this kind\n"
-                   "  - /scan: 2 sensor_msgs/LaserScan\n");
+                   "  - /scan: 2 sensor_msgs/LaserScan\n"
+                   "measurements: 2 scans and 0 odometry readings in 1.0 s\n");
 }
 
 }  // namespace

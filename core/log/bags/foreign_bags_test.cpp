@@ -62,10 +62,12 @@ TEST_P(ForeignBag, TellsItsTopics) {
   ASSERT_TRUE(contents);
   std::string topics;
   for (const RecordedTopic& topic : contents->topics)
-    topics += topic.name + " " + topic.type + " " + std::to_string(topic.messages) + "\n";
-  EXPECT_EQ(topics,
-            "/chatter std_msgs/String 1\n/odom nav_msgs/Odometry 3\n"
-            "/scan sensor_msgs/LaserScan 3\n/tf_static tf2_msgs/TFMessage 1\n");
+    topics +=
+        topic.name + " " + topic.type + " " + std::to_string(topic.messages) + topic.unread + "\n";
+  EXPECT_EQ(
+      topics,
+      "/chatter std_msgs/String 1no measurement here is of this kind\n/odom nav_msgs/Odometry 3\n"
+      "/scan sensor_msgs/LaserScan 3\n/tf_static tf2_msgs/TFMessage 1\n");
   EXPECT_NEAR(contents->seconds, 0.6875, 1e-6);
 }
 
