@@ -2,14 +2,25 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "algorithms/remark.h"
+#include "core/config/unit.h"
 #include "core/geometry/trajectory.h"
+#include "core/labels/beam_labels.h"
+#include "core/labels/tracks.h"
 #include "core/sensor/measurement.h"
 #include "core/time_interval.h"
 
 namespace mapbed {
+
+// A value that a method has at each of its iterations.
+struct IterationValues {
+  std::string name;  // "log_likelihood"
+  Unit unit = Unit::none;
+  std::vector<double> values;  // by iteration, from the first
+};
 
 // What a method believes at some point in time.
 struct Estimate {
@@ -17,12 +28,24 @@ struct Estimate {
   // plane leave out lasers that are not level.
   Trajectory trajectory;
   // Where the robot was lost: the poses then do not lie right to those before.
-  std::vector<TimeInterval> lost;
+  std::vector<TimeInterval> lost = {};
   // Scans whose pose is the prediction alone: the match was not trustworthy.
   int untrusted_scans = 0;
   // What the user should know ("no odometry from 12.3 s to 22.4 s").
-  std::vector<Remark> remarks;
+  std::vector<Remark> remarks = {};
+  // Of methods that tell what moves: one for each pose of the trajectory. Maps leave out what
+  // dynamic beams met.
+  std::optional<BeamLabels> labels = {};
+  // Of methods that follow what moves, in the frame of the map.
+  std::optional<Tracks> tracks = {};
+  std::vector<IterationValues> iterations = {};  // of methods that iterate
 };
+
+// Labels for build_map(); none where the method gives none.
+inline std::span<const ScanLabels> labels_in(const Estimate& estimate) {
+  return estimate.labels ? std::span<const ScanLabels>(*estimate.labels)
+                         : std::span<const ScanLabels>();
+}
 
 // How many possibilities a particle filter still holds, at one of its updates.
 struct Diversity {

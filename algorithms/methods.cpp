@@ -2,6 +2,7 @@
 
 #include <type_traits>
 
+#include "algorithms/dynamic_em/dynamic_em.h"
 #include "algorithms/motion/motion_learning.h"
 #include "algorithms/odometry_estimator.h"
 #include "algorithms/rbpf/grid_slam.h"
@@ -67,6 +68,57 @@ Method method(const std::string& name, const std::string& about, const Options& 
           }};
 }
 
+// The method that registers for chapter 4, and the settings of both apart.
+struct EmSettings {
+  Setting registers{"path", "scan_matching", {}};
+  Settings of_em = {};
+  Settings of_method = {};  // that registers, without its name in front
+};
+
+EmSettings divided_em_settings(const Settings& settings) {
+  EmSettings divided;
+  for (const Setting& setting : settings) {
+    if (setting.path == "path") divided.registers = setting;
+  }
+  const std::string group = divided.registers.text + ".";
+  for (const Setting& setting : settings) {
+    if (setting.path == "path") continue;
+    const bool is_of_method = setting.path.starts_with(group);
+    Setting& taken = (is_of_method ? divided.of_method : divided.of_em).emplace_back(setting);
+    if (is_of_method) taken.path.erase(0, group.size());
+  }
+  return divided;
+}
+
+ConfiguredMethod configure_em(const std::string& name, const Settings& settings) {
+  const EmSettings divided = divided_em_settings(settings);
+  DynamicEmOptions options;
+  apply(divided.of_em, options_of(options), name);
+  const std::string& registers = divided.registers.text;
+  if (registers == name) {
+    throw InputError(divided.registers.place, name + " cannot find its own path",
+                     "choose scan_matching or rbpf");
+  }
+  const ConfiguredMethod method = method_by_name(registers).configure(divided.of_method);
+  const std::string yaml = to_yaml(options_of(options)) + "path: " + registers +
+                           "  # the method that registers the scans, its options below\n" +
+                           registers + ":\n" + indented(method.complete_yaml);
+  return {yaml,
+          [options, method](const Given& given, Rng rng) {
+            const auto make_method = [method, given, rng] { return method.make(given, rng); };
+            return std::unique_ptr<Estimator>(new DynamicEm(options, make_method));
+          },
+          method.files};
+}
+
+Method em_method() {
+  const std::string name = "em";
+  return {name,
+          "expectation maximisation over what is static, with any of the others for the path, "
+          "chapter 4",
+          [name](const Settings& settings) { return configure_em(name, settings); }, true};
+}
+
 }  // namespace
 
 const std::vector<Method>& methods() {
@@ -85,6 +137,7 @@ const std::vector<Method>& methods() {
           "maximum_likelihood",
           "the same filter, going on with its best particle alone after a loop, section 5.4.2",
           {.best_only_after_loop = true}),
+      em_method(),
   };
   return table;
 }

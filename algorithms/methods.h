@@ -19,6 +19,7 @@ struct Method {
   std::string name;
   std::string about;
   std::function<ConfiguredMethod(const Settings&)> configure;
+  bool labels_beams = false;  // its estimates have labels
 };
 
 const std::vector<Method>& methods();

@@ -62,48 +62,64 @@ void check(const ScanList& scans, const Trajectory& map_from_robot, const MapOpt
   }
 }
 
+// Poses, and labels of their scans or none.
+struct Placed {
+  const Trajectory& map_from_robot;
+  std::span<const ScanLabels> labels = {};
+};
+
 template <class Map>
-void insert_all(const ScanList& scans, const Trajectory& map_from_robot, const BeamLimits& limits,
-                Map& map) {
+void insert_all(const ScanList& scans, const Placed& placed, const BeamLimits& limits, Map& map) {
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    for_each_beam(*scans[i], map_from_robot[i].pose, limits,
-                  [&](std::size_t, const Beam& beam) { map.insert(beam); });
+    for_each_beam(*scans[i], placed.map_from_robot[i].pose, limits, [&](std::size_t n, Beam beam) {
+      if (!placed.labels.empty() && is_dynamic(placed.labels[i], n)) beam.hit = false;
+      map.insert(beam);
+    });
   }
 }
 
-OccupancyMap build(const ScanList& scans, const Trajectory& map_from_robot,
-                   const MapOptions& options) {
+OccupancyMap build(const ScanList& scans, const Placed& placed, const MapOptions& options) {
   check(options);
-  check(scans, map_from_robot, options);
+  check(scans, placed.map_from_robot, options);
+  check_labels(scans, placed.labels);
   const GridFrame frame{.resolution = options.resolution};
   if (options.model == MapModel::counting) {
     CountingMap map(frame);
-    insert_all(scans, map_from_robot, options.beams, map);
+    insert_all(scans, placed, options.beams, map);
     return std::move(map).occupancy();
   }
   if (options.model == MapModel::odds) {
     OddsMap map(frame, options.odds);
-    insert_all(scans, map_from_robot, options.beams, map);
+    insert_all(scans, placed, options.beams, map);
     return map.occupancy();
   }
   EndPointMap map(frame);
-  insert_all(scans, map_from_robot, options.beams, map);
+  insert_all(scans, placed, options.beams, map);
   return options.model == MapModel::end_points_odds ? map.occupancy_by_odds(options.odds)
                                                     : map.occupancy_by_counting();
 }
 
 }  // namespace
 
+void check_labels(std::span<const LaserScan* const> scans, std::span<const ScanLabels> labels) {
+  if (labels.empty()) return;
+  CHECK(labels.size() == scans.size());
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    CHECK(labels[i].time == scans[i]->time);
+    CHECK(labels[i].static_probability.size() == scans[i]->ranges.size());
+  }
+}
+
 OccupancyMap build_map(std::span<const LaserScan> scans, const Trajectory& map_from_robot,
                        const MapOptions& options) {
   ScanList list;
   for (const LaserScan& scan : scans) list.push_back(&scan);
-  return build(list, map_from_robot, options);
+  return build(list, {map_from_robot}, options);
 }
 
 OccupancyMap build_map(const SensorLog& log, const Trajectory& map_from_robot,
-                       const MapOptions& options) {
-  return build(scans_of(log), map_from_robot, options);
+                       const MapOptions& options, std::span<const ScanLabels> labels) {
+  return build(scans_of(log), {map_from_robot, labels}, options);
 }
 
 std::vector<const LaserScan*> scans_for_map(const SensorLog& log, const Trajectory& map_from_robot,

@@ -8,6 +8,7 @@
 #include "algorithms/scan/beam.h"
 #include "core/config/option.h"
 #include "core/geometry/trajectory.h"
+#include "core/labels/beam_labels.h"
 #include "core/log/sensor_log.h"
 #include "core/sensor/laser_scan.h"
 
@@ -39,13 +40,17 @@ void visit_fields(MapOptions& o, Visitor&& visit) {
 OccupancyMap build_map(std::span<const LaserScan> scans, const Trajectory& map_from_robot,
                        const MapOptions& options = {});
 
-// The same of the scans in a log, but for those of lasers that are not level.
+// The same of the scans in a log, but for those of lasers that are not level. Labels, one for each
+// pose or none at all: a beam that met something dynamic clears its path, and its end is left out.
 OccupancyMap build_map(const SensorLog& log, const Trajectory& map_from_robot,
-                       const MapOptions& options = {});
+                       const MapOptions& options = {}, std::span<const ScanLabels> labels = {});
 
 // The scans of a log that go into its map, one for each pose. Throws as build_map() does.
 std::vector<const LaserScan*> scans_for_map(const SensorLog& log, const Trajectory& map_from_robot,
                                             const MapOptions& options = {});
+
+// One for each scan, of as many beams; or none at all.
+void check_labels(std::span<const LaserScan* const> scans, std::span<const ScanLabels> labels);
 
 // The cells that the lasers and their beams' ends lie in: a map of these scans is no larger, and
 // this is far quicker than to build it.

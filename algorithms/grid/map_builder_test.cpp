@@ -52,6 +52,15 @@ TEST(MapBuilder, AMaximumRangeBeamClearsItsPathAndHasNoEnd) {
             "........  |");
 }
 
+TEST(MapBuilder, OfABeamThatMetSomethingDynamicThePathAloneCounts) {
+  const SensorLog log{scan_of(4.0, 0.0), scan_of(4.0, 1.0)};
+  const Trajectory path{{0.0, {0.5, 0.5, 0.0}}, {1.0, {0.5, 1.5, 0.0}}};
+  const BeamLabels labels{{0.0, 0, {0.9F}}, {1.0, 0, {0.1F}}};
+  EXPECT_EQ(drawing_of(build_map(log, path, {.resolution = 1.0}, labels), {{0, 0}, {5, 1}}),
+            "....  |"
+            "....# |");
+}
+
 TEST(MapBuilder, ABeamThatIsLongerThanUsableIsCutThere) {
   EXPECT_EQ(drawing_after(scan_of(5.0), {.resolution = 1.0, .beams = {.usable_range = 3.0}}),
             "...       |");

@@ -65,11 +65,13 @@ class EvidenceMap {
  public:
   EvidenceMap(const GridFrame& frame, const BeamLimits& limits) : limits_(limits), cells_(frame) {}
 
-  // Surfaces, and what lies before them; scans in one order, numbered from 1.
-  void insert(const LaserScan& scan, const Pose2& map_from_robot, std::uint32_t number) {
+  // Surfaces, and what lies before them; scans in one order, numbered from 1. `of_place` is the
+  // scan without what is dynamic.
+  void insert(const LaserScan& scan, const LaserScan& of_place, const Pose2& map_from_robot,
+              std::uint32_t number) {
     TiledGrid<Evidence>::Writer writer(cells_);
     const auto surface =
-        surface_points(scan, limits_.usable_range, kSurfaceGap, 0.5 * cells_.resolution());
+        surface_points(of_place, limits_.usable_range, kSurfaceGap, 0.5 * cells_.resolution());
     for (const SurfacePoint& point : surface) {
       Evidence& cell = writer.at(cells_.cell_of(map_from_robot * point.position));
       count(cell.surfaces, cell.last_surface, number);
@@ -80,7 +82,8 @@ class EvidenceMap {
         Evidence& cell = writer.at(index);
         if (cell.last_surface != number) count(cell.passes, cell.last_pass, number);
       };
-      const double grazing = beam.hit ? grazing_length(scan, n, cells_.resolution()) : 0.0;
+      const bool ends = beam.hit && of_place.is_hit(n);
+      const double grazing = ends ? grazing_length(of_place, n, cells_.resolution()) : 0.0;
       if (grazing == 0.0) {
         traverse(beam.start, beam.end, cells_.frame(), [&](CellIndex c, double) { pass(c); });
         return;
@@ -128,11 +131,19 @@ class EvidenceMap {
 }  // namespace
 
 OccupancyMap wall_map(const SensorLog& log, const Trajectory& map_from_robot,
-                      const MapOptions& options) {
+                      const MapOptions& options, std::span<const ScanLabels> labels) {
   const std::vector<const LaserScan*> scans = scans_for_map(log, map_from_robot, options);
+  check_labels(scans, labels);
   EvidenceMap map(GridFrame{.resolution = options.resolution}, options.beams);
-  for (std::size_t i = 0; i < scans.size(); ++i)
-    map.insert(*scans[i], map_from_robot[i].pose, static_cast<std::uint32_t>(i + 1));
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const Pose2& pose = map_from_robot[i].pose;
+    const auto number = static_cast<std::uint32_t>(i + 1);
+    if (labels.empty()) {
+      map.insert(*scans[i], *scans[i], pose, number);
+    } else {
+      map.insert(*scans[i], without_dynamic_beams(*scans[i], labels[i]), pose, number);
+    }
+  }
   for (std::size_t i = 0; i < scans.size(); ++i)
     map.clear_without_return(*scans[i], map_from_robot[i].pose,
                              static_cast<std::uint32_t>(scans.size() + i + 1));

@@ -21,8 +21,9 @@ namespace mapbed {
 //   free, 0         p below 0.196, or no scan ever saw a surface there
 //   unknown         else
 //
-// Takes scans, poses, resolution and limits of beams as build_map() does, and throws as it does.
+// Takes scans, poses, resolution, limits of beams and labels as build_map() does, and throws as it
+// does.
 OccupancyMap wall_map(const SensorLog& log, const Trajectory& map_from_robot,
-                      const MapOptions& options = {});
+                      const MapOptions& options = {}, std::span<const ScanLabels> labels = {});
 
 }  // namespace mapbed

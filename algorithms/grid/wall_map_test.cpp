@@ -177,5 +177,17 @@ TEST(WallMap, ADoorwayStaysOpen) {
     EXPECT_EQ(map[map.cell_of({3.025, y})].probability, 0.0F) << y;
 }
 
+TEST(WallMap, WhatADynamicBeamMetIsNoWallAndItsPathIsFree) {
+  LaserScan scan;
+  scan.max_range = 8.0;
+  scan.ranges = {5.0};
+  const Trajectory path{{0.0, {0.5, 0.5, 0.0}}};
+  const BeamLabels of_place{{0.0, 0, {0.9F}}}, dynamic{{0.0, 0, {0.1F}}};
+  const MapOptions options{.resolution = 1.0};
+  const CellBox row{{0, 0}, {8, 0}};
+  EXPECT_EQ(drawing_of(wall_map({scan}, path, options, of_place), row), ".....#   |");
+  EXPECT_EQ(drawing_of(wall_map({scan}, path, options, dynamic), row), ".....    |");
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -51,6 +51,7 @@ LaserScan fused(std::vector<LaserScan> scans, const Trajectory& odometry) {
   }
   for (const LaserScan& scan : scans) {
     append(scan, motion_over(odometry, whole.time, scan.time), whole);
+    whole.parts.push_back({scan.time, scan.laser, scan.ranges.size()});
   }
   const bool all_remit = std::all_of(scans.begin(), scans.end(), [](const LaserScan& scan) {
     return scan.remissions.size() == scan.ranges.size();

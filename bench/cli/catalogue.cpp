@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/beam_filters.h"
 #include "algorithms/grid/map_builder.h"
 #include "algorithms/input/geometry_check.h"
 #include "algorithms/methods.h"
@@ -41,6 +42,15 @@ std::vector<CatalogueEntry> method_entries() {
     const ConfigNode* about = file.find("about");
     entries.push_back({name, about != nullptr ? about->text() : "a program",
                        [path] { return read_text_file(path); }});
+  }
+  return entries;
+}
+
+std::vector<CatalogueEntry> filter_entries() {
+  std::vector<CatalogueEntry> entries;
+  for (const BeamFilterEntry& filter : beam_filters()) {
+    entries.push_back(
+        {filter.name, filter.about, [&filter] { return filter.configure({}).complete_yaml; }});
   }
   return entries;
 }
@@ -215,6 +225,7 @@ const std::vector<CatalogueShelf>& catalogue() {
         {"sensors", "sensor", sensor_entries},
         {"drivers", "driver", driver_entries},
         {"methods", "method", method_entries},
+        {"filters", "people filter", filter_entries},
         {"logs", "log", log_entries},
         {"formats", "format of logs", format_entries},
         {"faults", "fault", fault_entries},

@@ -43,8 +43,8 @@ void check_kind(const std::string& kind) {
 std::string options_called(const std::string& name) {
   std::string text;
   for (const CatalogueShelf& shelf : catalogue()) {
-    const std::vector<std::string> with_options{"experiments", "drivers", "methods", "faults",
-                                                "settings"};
+    const std::vector<std::string> with_options{"experiments", "drivers", "methods",
+                                                "filters",     "faults",  "settings"};
     if (std::count(with_options.begin(), with_options.end(), shelf.kind) == 0) continue;
     for (const CatalogueEntry& entry : shelf.entries()) {
       std::string yaml = entry.describe();

@@ -34,6 +34,7 @@ constexpr const char* kMessages = "program_messages.txt";  // of a method that f
 struct MapArguments {
   std::string log;
   std::string method;
+  std::string people_filter;
   std::string config_file;
   std::string resolution;
   std::string seed;
@@ -51,6 +52,7 @@ Settings settings_from(const MapArguments& arguments) {
     if (!text.empty()) settings.push_back({path, text, {option + (" " + text), 0}});
   };
   add("method", "--method", arguments.method);
+  add("people_filter", "--people-filter", arguments.people_filter);
   add("map.resolution", "--resolution", arguments.resolution);
   add("seed", "--seed", arguments.seed);
   return settings;
@@ -196,7 +198,8 @@ int map_log(const MapArguments& arguments) {
   const std::vector<Remark> of_geometry = choose_geometry(log);
   print_log(arguments.log, log, stopwatch.seconds());
   const bool by_program = config.chosen.program() != nullptr;
-  const SensorLog as_recorded = by_program ? log.measurements : SensorLog{};
+  const bool is_kept = by_program || config.chosen.labels_beams;
+  const SensorLog as_recorded = is_kept ? log.measurements : SensorLog{};
   PreparedLog prepared = mapbed::prepared(std::move(log.measurements), config.input);
   prepared.remarks.insert(prepared.remarks.begin(), of_geometry.begin(), of_geometry.end());
   const OutputFolder made(folder);
@@ -235,6 +238,9 @@ Command map_command() {
            {"--method", &arguments->method,
             "who finds the trajectory: a name that 'mapbed list methods' shows, or the file (YAML) "
             "of a program of your own; scan_matching where left out"},
+           {"--people-filter", &arguments->people_filter,
+            "what tells people and other things that move from the place: a name that 'mapbed list "
+            "filters' shows; none where left out"},
            {"--resolution", &arguments->resolution, "side of a cell, as in '5 cm'"},
            {"--seed", &arguments->seed, "of all chance; 1 where left out"},
            {"--set", &arguments->settings,

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/methods/people_filter.h"
 #include "core/data_path.h"
 
 namespace mapbed {
@@ -58,7 +59,9 @@ void check_group_is_named(const Settings& own, const Method& method) {
 
 }  // namespace
 
-MapConfig map_config_from(const Settings& settings, MapConfig config) {
+MapConfig map_config_from(const Settings& all_settings, MapConfig config) {
+  Settings settings = all_settings;
+  const Settings of_filter = taken_people_filter(settings);
   SourceLocation of_method_name;
   for (const Setting& setting : settings) {
     if (setting.path != "method") continue;
@@ -91,13 +94,16 @@ MapConfig map_config_from(const Settings& settings, MapConfig config) {
     of_method.push_back(std::move(setting));
   }
   if (is_ours(chosen)) of_method = with_refinement(method_by_name(chosen), std::move(of_method));
-  config.chosen = choose_method(config.method, of_method, of_method_name);
+  config.chosen =
+      with_people_filter(choose_method(config.method, of_method, of_method_name), of_filter);
   return config;
 }
 
 std::string to_yaml(MapConfig config) {
-  return to_yaml(options_of(config)) + config.chosen.name + ":  # " + config.chosen.about + "\n" +
-         indented(config.chosen.complete_yaml);
+  const std::string of_method = method_yaml(config.chosen);
+  const std::size_t name = config.chosen.name.size();
+  return to_yaml(options_of(config)) + config.chosen.name + ":  # " + config.chosen.about +
+         of_method.substr(name + 1);
 }
 
 }  // namespace mapbed

@@ -22,6 +22,9 @@
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
 #include "core/input_error.h"
+#include "core/labels/labels_file.h"
+#include "core/labels/tracks_file.h"
+#include "core/log/dialects/carmen_log.h"
 
 namespace mapbed {
 namespace {
@@ -109,11 +112,13 @@ struct Maps {
   OccupancyMap map, walls;
 };
 
-Maps maps_of(const SensorLog& log, const Trajectory& trajectory, const MapConfig& config) {
+Maps maps_of(const SensorLog& log, const Estimate& estimate, const MapConfig& config) {
+  const Trajectory& trajectory = estimate.trajectory;
+  const std::span<const ScanLabels> labels = labels_in(estimate);
   check_image_size(box_of_beams(log, trajectory, config.map), config.map.resolution);
-  OccupancyMap map = build_map(log, trajectory, config.map);
+  OccupancyMap map = build_map(log, trajectory, config.map, labels);
   OccupancyMap walls =
-      config.map_file == MapFileKind::walls ? wall_map(log, trajectory, config.map) : map;
+      config.map_file == MapFileKind::walls ? wall_map(log, trajectory, config.map, labels) : map;
   return {std::move(map), std::move(walls)};
 }
 
@@ -176,8 +181,7 @@ MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
     return SensorLog(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(estimated.taken));
   };
   const bool whole = estimated.taken == log.size();
-  Maps maps = whole ? maps_of(log, estimate.trajectory, config)
-                    : maps_of(part_of_log(), estimate.trajectory, config);
+  Maps maps = whole ? maps_of(log, estimate, config) : maps_of(part_of_log(), estimate, config);
   cost.mapping = mapping.seconds();
   cost.scans = static_cast<int>(estimate.trajectory.size());
   if (cost.scans > 0) {
@@ -188,6 +192,10 @@ MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
       cost};
   run.was_interrupted = !whole;
   run.kept = std::move(estimated.kept);
+  if (run.estimate.labels) {
+    run.labels = labels_of_lasers(*run.estimate.labels, log);
+    run.cleaned = without_dynamic_beams(as_recorded, run.labels);
+  }
   return run;
 }
 
@@ -211,6 +219,13 @@ void write_map_run(const std::string& folder, const std::string& log_name, const
             picture_of(run.map, {{run.config.chosen.name, run.estimate.trajectory}}));
   write_file(coming.add("config.yaml"), to_yaml(run.config));
   write_file(coming.add("cost.csv"), cost_csv(run.cost));
+  if (!run.labels.empty()) {
+    write_labels(coming.add("labels.txt.gz"), run.labels);
+    RecordedLog cleaned = log;
+    cleaned.measurements = run.cleaned;
+    write_carmen_log(coming.add("cleaned.log.gz"), cleaned);
+  }
+  if (run.estimate.tracks) write_file(coming.add("tracks.csv"), tracks_csv(*run.estimate.tracks));
   for (const auto& [name, content] : run.kept) {
     write_file(coming.add(kKept + name), content);
   }
@@ -221,6 +236,10 @@ void write_map_run(const std::string& folder, const std::string& log_name, const
 void refuse_foreign_map_files(const std::string& folder, const MapConfig& config) {
   std::vector<std::string> coming{"trajectory.tum", "map.pgm",     "map.yaml", "map.png",
                                   "picture.png",    "config.yaml", "cost.csv", kMark};
+  if (config.chosen.labels_beams) {
+    for (const char* name : {"labels.txt.gz", "tracks.csv", "cleaned.log.gz"})
+      coming.push_back(name);
+  }
   if (const ProgramMethod* program = config.chosen.program()) {
     for (const std::string& name : program->keep) coming.push_back(kKept + name);
   }

@@ -34,6 +34,8 @@ struct MapRun {
   MapCost cost;
   std::string log_sha256 = {};  // of the log's file; empty where there is none to be read again
   bool was_interrupted = false;
+  BeamLabels labels = {};  // of each laser's own scans; empty: the method gives none
+  SensorLog cleaned = {};  // the log without what they call dynamic
   std::vector<std::pair<std::string, std::string>> kept = {};  // of a program's own files
 
   bool complete() const { return !was_interrupted; }
@@ -41,8 +43,9 @@ struct MapRun {
 
 // Its remarks begin with those of the log. `may_go_on(done, total)` is asked after each
 // measurement; false ends the run with what it has. A program that is the method gets the log
-// `as_recorded`; while it runs, the question comes again and again with nothing done, and false
-// throws Interrupted. What goes wrong with it throws ProgramFailed.
+// `as_recorded`, and of methods that label beams it is what is cleaned; while it runs, the question
+// comes again and again with nothing done, and false throws Interrupted. What goes wrong with it
+// throws ProgramFailed.
 MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
                 const std::function<bool(std::size_t done, std::size_t total)>& may_go_on,
                 const SensorLog& as_recorded = {});
@@ -55,6 +58,10 @@ MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
 //   picture.png         for people: trajectory, scale bar, legend
 //   config.yaml         complete; `mapbed map LOG --config` of it repeats the run
 //   cost.csv            time and memory
+//   labels.txt.gz       of methods that tell what moves: for each beam how likely it met the place
+//                       (labels_file.h)
+//   tracks.csv          of those that follow it (tracks_file.h)
+//   cleaned.log.gz      the log, in CARMEN's form, without the beams that met what moves
 //   program/            what a program that is the method was to keep
 //   summary.json        the rest in numbers; written last
 //

@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "algorithms/input/input_stage.h"
+#include "bench/experiments/moving_evaluator.h"
 #include "bench/experiments/particle_figures.h"
 #include "bench/experiments/slam_evaluator.h"
 #include "bench/experiments/slam_series.h"
 #include "bench/methods/method_run.h"
+#include "bench/methods/people_filter.h"
 #include "bench/plot/map_picture.h"
 #include "bench/results/replay.h"
 #include "core/geometry/tum_file.h"
@@ -23,6 +25,7 @@ struct SlamOptions {
   std::vector<double> snapshots;  // [s]
   double series_step = 10.0;      // [s]
   EvaluationOptions evaluation;
+  TrackingMetricOptions tracking;
 };
 
 template <class Visitor>
@@ -36,6 +39,7 @@ void visit_fields(SlamOptions& o, Visitor&& visit) {
   visit("series_step", o.series_step, Unit::second, between(0.01, 1e6),
         "between the points of series over the log's time");
   visit_fields(o.evaluation, visit);
+  visit("tracking", o.tracking, "how tracks are compared with the people who were there");
 }
 
 // The options, and the method that they name.
@@ -44,11 +48,12 @@ struct Setup {
   ChosenMethod method;
 };
 
-Setup setup_of(const Settings& settings) {
+Setup setup_of(Settings settings) {
+  const Settings of_filter = taken_people_filter(settings);
   const MethodSettings divided = divided_by_method(settings);
   Setup setup;
   apply(divided.own, options_of(setup.options), "slam");
-  setup.method = chosen_method(setup.options.estimator, divided);
+  setup.method = with_people_filter(chosen_method(setup.options.estimator, divided), of_filter);
   return setup;
 }
 
@@ -122,6 +127,19 @@ void tell_cost(const ChosenMethod& method, const MethodCost& cost, RunOutcome& o
   if (method.program() != nullptr) outcome.program_seconds = cost.processor_seconds;
 }
 
+// Of what moves, where any of it is wanted.
+void add_moving_values(const SlamOptions& options, const RunInput& input, const Estimate& estimate,
+                       SlamEvaluator& evaluator, RunOutcome& outcome) {
+  const std::vector<Metric> metrics = moving_metrics();
+  const bool is_wanted = std::any_of(metrics.begin(), metrics.end(), [&](const Metric& metric) {
+    return input.wanted.contains(metric.name);
+  });
+  if (!is_wanted) return;
+  MovingEvaluator moving(options.tracking, options.evaluation.map, input, estimate,
+                         evaluator.world_from_robot(), evaluator.map());
+  for (auto& value : moving.values()) outcome.values.push_back(std::move(value));
+}
+
 RunOutcome run(const Setup& setup, const RunInput& whole_input) {
   RunInput input = shortened(whole_input, setup.options.longest);
   const SensorLog as_recorded =
@@ -134,6 +152,7 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
 
   SlamEvaluator evaluator(setup.options.evaluation, input, estimate);
   outcome.values = evaluator.values();
+  add_moving_values(setup.options, input, estimate, evaluator, outcome);
   outcome.failure = evaluator.failure();
   outcome.files = std::move(watched.figures);
   outcome.series = std::move(watched.series);
@@ -151,6 +170,12 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
   return outcome;
 }
 
+std::vector<Metric> all_metrics() {
+  std::vector<Metric> metrics = slam_metrics();
+  for (Metric& metric : moving_metrics()) metrics.push_back(std::move(metric));
+  return metrics;
+}
+
 }  // namespace
 
 Experiment slam_experiment() {
@@ -165,7 +190,7 @@ Experiment slam_experiment() {
   return {.name = "slam",
           .about = "a method finds the trajectory in a log",
           .needs = Experiment::Needs::log,
-          .metrics = slam_metrics(),
+          .metrics = all_metrics(),
           .configure = configure,
           .series = slam_series()};
 }

@@ -118,7 +118,9 @@ SlamEvaluator::SlamEvaluator(const EvaluationOptions& options, const RunInput& i
 }
 
 const OccupancyMap& SlamEvaluator::map() {
-  return once(map_, [&] { return build_map(input_.log, world_from_robot_, options_.map); });
+  return once(map_, [&] {
+    return build_map(input_.log, world_from_robot_, options_.map, labels_in(estimate_));
+  });
 }
 
 double SlamEvaluator::largest_error() const {

@@ -38,7 +38,8 @@ ChosenMethod choose_method(const std::string& name_or_path, const Settings& sett
   if (is_ours(name_or_path)) {
     const Method& ours = method_by_name(name_or_path);
     ConfiguredMethod method = ours.configure(settings);
-    return {ours.name, ours.about, method.complete_yaml, method.files, std::move(method)};
+    return {ours.name,    ours.about,        method.complete_yaml,
+            method.files, std::move(method), ours.labels_beams};
   }
   ProgramMethod program = load_program_method(name_or_path, settings);
   return {program.name, program.about, program.complete_yaml(), program.input_files,
@@ -87,7 +88,10 @@ ChosenMethod chosen_method(const std::string& estimator, const MethodSettings& s
 }
 
 std::string method_yaml(const ChosenMethod& method) {
-  return method.name + ":\n" + indented(method.complete_yaml, 2);
+  const std::string yaml = method.name + ":\n" + indented(method.complete_yaml, 2);
+  if (method.filter.empty()) return yaml;
+  return yaml + "people_filter:\n  method: " + method.filter + "\n" +
+         indented(method.filter_yaml, 2);
 }
 
 }  // namespace mapbed

@@ -18,6 +18,9 @@ struct ChosenMethod {
   std::string complete_yaml = {};  // these
   InputFiles files = {};           // that were read for it
   std::variant<ConfiguredMethod, ProgramMethod> what = {};
+  bool labels_beams = false;     // its estimates have labels
+  std::string filter = {};       // the people filter in front of it; empty: none
+  std::string filter_yaml = {};  // its options
 
   const ProgramMethod* program() const { return std::get_if<ProgramMethod>(&what); }
 };
@@ -38,7 +41,7 @@ MethodSettings divided_by_method(const Settings& settings);
 // Settings of other methods are checked as well. Throws InputError.
 ChosenMethod chosen_method(const std::string& estimator, const MethodSettings& settings);
 
-// The options of the method under its name.
+// The options of the method under its name, and those of the people filter in front of it.
 std::string method_yaml(const ChosenMethod& method);
 
 }  // namespace mapbed

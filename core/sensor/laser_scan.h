@@ -8,6 +8,13 @@
 
 namespace mapbed {
 
+// The scan of one laser, as it was recorded, within one that is fused of several.
+struct ScanPart {
+  double time = 0.0;  // [s] its own stamp
+  int laser = 0;
+  std::size_t beams = 0;  // that it has in the fused one, in its own order
+};
+
 // One sweep of a laser range finder whose beams lie in one plane.
 struct LaserScan {
   double time = 0.0;  // [s] the log's own absolute stamp
@@ -23,6 +30,7 @@ struct LaserScan {
   // Where each beam starts and looks, in the robot's frame at the stamp: of beams that were taken
   // one after the other, or by several lasers. Empty: all start at the mount, by their bearings.
   std::vector<Pose2> robot_from_beams;
+  std::vector<ScanPart> parts;     // of one that is fused, in order; empty: it is a laser's own
   std::vector<double> remissions;  // reflected intensity as the log has it; empty where it has none
 
   double bearing(std::size_t beam) const {

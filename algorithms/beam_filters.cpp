@@ -1,0 +1,44 @@
+#include "algorithms/beam_filters.h"
+
+#include <type_traits>
+
+#include "core/config/suggestion.h"
+#include "core/input_error.h"
+
+namespace mapbed {
+namespace {
+
+// A filter whose class takes its options, and its own stream of chance where it needs one.
+template <class Class, class Options>
+BeamFilterEntry filter(const std::string& name, const std::string& about,
+                       const Options& defaults = {}) {
+  return {name, about, [name, defaults](const Settings& settings) -> ConfiguredFilter {
+            Options options = defaults;
+            apply(settings, options_of(options), name);
+            return {to_yaml(options_of(options)), [options]([[maybe_unused]] Rng rng) {
+                      if constexpr (std::is_constructible_v<Class, Options, Rng>) {
+                        return std::unique_ptr<BeamFilter>(new Class(options, rng));
+                      } else {
+                        return std::unique_ptr<BeamFilter>(new Class(options));
+                      }
+                    }};
+          }};
+}
+
+}  // namespace
+
+const std::vector<BeamFilterEntry>& beam_filters() {
+  static const std::vector<BeamFilterEntry> table{};
+  return table;
+}
+
+const BeamFilterEntry& beam_filter_by_name(const std::string& name, const SourceLocation& place) {
+  std::vector<std::string> names;
+  for (const BeamFilterEntry& entry : beam_filters()) {
+    if (entry.name == name) return entry;
+    names.push_back(entry.name);
+  }
+  throw InputError(place, "unknown people filter " + in_quotes(name), suggestion(name, names));
+}
+
+}  // namespace mapbed

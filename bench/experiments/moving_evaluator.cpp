@@ -1,0 +1,241 @@
+#include "bench/experiments/moving_evaluator.h"
+
+#include <limits>
+#include <map>
+
+#include "bench/metrics/clear_mot.h"
+#include "bench/metrics/hota.h"
+#include "bench/metrics/identity_f1.h"
+#include "bench/metrics/occlusions.h"
+#include "bench/metrics/ospa.h"
+#include "sim/recording.h"
+
+namespace mapbed {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double of_labels(MovingEvaluator& e, double (*value)(const LabelErrors&)) {
+  const LabelErrors* errors = e.labels();
+  return errors == nullptr ? kNone : value(*errors);
+}
+
+double of_cells(MovingEvaluator& e, long SpuriousCells::*count) {
+  const SpuriousCells* cells = e.spurious();
+  return cells == nullptr ? kNone : static_cast<double>(cells->*count);
+}
+
+template <class Value>
+double of_tracks(MovingEvaluator& e, Value&& value) {
+  const TrackingFrames* frames = e.frames();
+  return frames == nullptr ? kNone : value(*frames);
+}
+
+struct EvaluatedMetric {
+  Metric metric;
+  double (*value)(MovingEvaluator&);
+};
+
+const std::vector<EvaluatedMetric>& evaluated_metrics() {
+  using E = MovingEvaluator;
+  using L = LabelErrors;
+  using F = TrackingFrames;
+  static const std::vector<EvaluatedMetric> table{
+      {{"label_precision", Unit::none, "of beams called dynamic, the fraction that met a mover"},
+       [](E& e) { return of_labels(e, [](const L& l) { return l.precision(); }); }},
+      {{"label_recall", Unit::none,
+        "of beams on what moves in the recording, the fraction called dynamic"},
+       [](E& e) { return of_labels(e, [](const L& l) { return l.recall(); }); }},
+      {{"recall_moving", Unit::none, "the same of those on what moves just then"},
+       [](E& e) { return of_labels(e, [](const L& l) { return l.moving.fraction(); }); }},
+      {{"recall_waiting", Unit::none, "the same of those on what moves at another time"},
+       [](E& e) { return of_labels(e, [](const L& l) { return l.waiting.fraction(); }); }},
+      {{"recall_people", Unit::none, "label_recall of people alone"},
+       [](E& e) {
+         return of_labels(e, [](const L& l) {
+           const auto people = l.by_kind.find(EntityKind::person);
+           return people == l.by_kind.end() ? kNone : people->second.fraction();
+         });
+       }},
+      {{"recall_doors", Unit::none, "label_recall of doors alone"},
+       [](E& e) {
+         return of_labels(e, [](const L& l) {
+           const auto doors = l.by_kind.find(EntityKind::door);
+           return doors == l.by_kind.end() ? kNone : doors->second.fraction();
+         });
+       }},
+      {{"resting_removed", Unit::none,
+        "of beams on what could move and never does, the fraction called dynamic"},
+       [](E& e) { return of_labels(e, [](const L& l) { return l.resting.fraction(); }); }},
+      {{"static_removed", Unit::none, "of beams on the place, the fraction called dynamic"},
+       [](E& e) { return of_labels(e, [](const L& l) { return l.place.fraction(); }); }},
+      {{"associated_accuracy", Unit::none,
+        "root of (1 - static_removed) times label_recall, see label_error.h"},
+       [](E& e) { return of_labels(e, [](const L& l) { return l.associated_accuracy(); }); }},
+      {{"mover_cells", Unit::none, "spurious occupied cells made by what moves in the recording"},
+       [](E& e) { return of_cells(e, &SpuriousCells::of_movers); }},
+      {{"resting_cells", Unit::none, "spurious occupied cells of what could move and never does"},
+       [](E& e) { return of_cells(e, &SpuriousCells::of_resting); }},
+      {{"lost_cells", Unit::none,
+        "fraction of the true occupied cells that a map of all beams shows and this one does not"},
+       [](E& e) { return e.lost(); }},
+      {{"mota", Unit::none, "multi-object tracking accuracy, see clear_mot.h"},
+       [](E& e) {
+         return of_tracks(e,
+                          [&](const F& f) { return clear_mot(f, e.match_distance()).accuracy(); });
+       }},
+      {{"motp", Unit::meter, "mean distance of people and the tracks that follow them"},
+       [](E& e) {
+         return of_tracks(e,
+                          [&](const F& f) { return clear_mot(f, e.match_distance()).precision(); });
+       }},
+      {{"identity_switches", Unit::none, "people who get another track, see clear_mot.h"},
+       [](E& e) {
+         return of_tracks(e, [&](const F& f) {
+           return static_cast<double>(clear_mot(f, e.match_distance()).switches);
+         });
+       }},
+      {{"idf1", Unit::none, "see identity_f1.h"},
+       [](E& e) {
+         return of_tracks(e, [&](const F& f) { return identity_f1(f, e.match_distance()); });
+       }},
+      {{"hota", Unit::none, "see hota.h"},
+       [](E& e) {
+         return of_tracks(e, [&](const F& f) { return hota(f, e.match_distance()).hota; });
+       }},
+      {{"ospa", Unit::meter, "cut off at tracking.match_distance, see ospa.h"},
+       [](E& e) {
+         return of_tracks(e, [&](const F& f) { return mean_ospa(f, e.match_distance()); });
+       }},
+      {{"occlusions_kept", Unit::none,
+        "fraction of the occlusions below tracking.longest_occlusion that a track survives"},
+       [](E& e) { return e.occlusions_kept(); }},
+  };
+  return table;
+}
+
+// Beams of a scan on each entity.
+std::map<int, int> beams_on_entities(const LaserScan& scan, const Truth& truth) {
+  std::vector<ScanPart> parts = scan.parts;
+  if (parts.empty()) parts.push_back({scan.time, scan.laser, scan.ranges.size()});
+  std::map<int, int> count;
+  for (const ScanPart& part : parts) {
+    const BeamTruthOfScan* beams = beams_of(truth, part.time, part.laser);
+    if (beams == nullptr) continue;
+    for (const BeamTruth& beam : beams->beams) {
+      if (beam.entity >= 0) ++count[beam.entity];
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+MovingEvaluator::MovingEvaluator(const TrackingMetricOptions& options,
+                                 const MapOptions& map_options, const RunInput& input,
+                                 const Estimate& estimate, const Trajectory& world_from_robot,
+                                 const OccupancyMap& map)
+    : options_(options),
+      map_options_(map_options),
+      input_(input),
+      estimate_(estimate),
+      world_from_robot_(world_from_robot),
+      map_(map) {
+  if (has_truth()) causes_.emplace(input.recording->truth);
+}
+
+bool MovingEvaluator::has_truth() const {
+  return input_.recording != nullptr && !input_.recording->truth.beams.empty();
+}
+
+const LabelErrors* MovingEvaluator::labels() {
+  if (!causes_ || !estimate_.labels) return nullptr;
+  if (!labels_) labels_ = label_errors(*estimate_.labels, input_.log, *causes_);
+  return &*labels_;
+}
+
+const SpuriousCells* MovingEvaluator::spurious() {
+  if (!causes_ || !input_.true_map || world_from_robot_.empty()) return nullptr;
+  if (!spurious_) {
+    spurious_ = spurious_cells(map_, input_.true_map(map_options_.resolution), input_.log,
+                               world_from_robot_, *causes_);
+  }
+  return &*spurious_;
+}
+
+double MovingEvaluator::lost() {
+  if (!input_.true_map || !estimate_.labels) return kNone;
+  const OccupancyMap of_all = build_map(input_.log, world_from_robot_, map_options_);
+  return lost_cells(of_all, map_, input_.true_map(map_options_.resolution));
+}
+
+// Movers near the robot, at the stamps of the estimate's poses. Tracks are placed by where they are
+// seen from the robot, so that a path that is wrong on the whole does not count against them.
+TrackingFrames MovingEvaluator::all_frames() const {
+  const Truth& truth = input_.recording->truth;
+  std::map<double, const StampedStates*> states_at;
+  for (const StampedStates& states : truth.states) states_at[states.time] = &states;
+  std::map<double, std::vector<TrackedObject>> tracks_at;
+  for (const ObjectTrack& track : *estimate_.tracks) {
+    for (const TrackState& s : track.states) tracks_at[s.time].push_back({track.id, s.position});
+  }
+  TrackingFrames frames;
+  auto pose = estimate_.trajectory.begin();
+  for (const Measurement& measurement : input_.log) {
+    const auto* scan = std::get_if<LaserScan>(&measurement);
+    if (scan == nullptr || !scan->robot_from_laser.is_level()) continue;
+    if (pose == estimate_.trajectory.end()) break;
+    const Pose2 map_from_robot = (pose++)->pose;
+    const auto states = states_at.find(scan->time);
+    if (states == states_at.end()) continue;
+    const Pose2& world_from_robot = states->second->world_from_robot;
+    const Pose2 world_from_map = world_from_robot * inverse(map_from_robot);
+    TrackingFrame& frame = frames.emplace_back();
+    frame.time = scan->time;
+    for (TrackedObject& track : tracks_at[scan->time]) {
+      frame.tracks.push_back({track.id, world_from_map * track.position});
+    }
+    const std::map<int, int> beams = beams_on_entities(*scan, truth);
+    for (const MovingPose& part : states->second->moving) {
+      const TruthEntity& entity = truth.entities[static_cast<std::size_t>(part.entity)];
+      if (part.part != 0 || entity.kind != EntityKind::person) continue;
+      const Eigen::Vector2d position = part.world_from_part.position.head<2>();
+      const double away = (position - world_from_robot.position()).norm();
+      if (away > options_.range) continue;
+      const auto on_him = beams.find(entity.id);
+      const bool is_seen = on_him != beams.end() && on_him->second >= options_.least_beams;
+      frame.truth.push_back({entity.id, position, is_seen && causes_->moves(entity.id)});
+    }
+  }
+  return frames;
+}
+
+const TrackingFrames* MovingEvaluator::frames() {
+  if (!causes_ || !estimate_.tracks) return nullptr;
+  if (!frames_) frames_ = counting_alone(all_frames(), options_.match_distance);
+  return &*frames_;
+}
+
+double MovingEvaluator::occlusions_kept() {
+  if (!causes_ || !estimate_.tracks) return kNone;
+  return occlusions_in(all_frames(), {.longest = options_.longest_occlusion,
+                                      .max_distance = options_.match_distance})
+      .fraction_kept();
+}
+
+std::vector<std::pair<std::string, double>> MovingEvaluator::values() {
+  std::vector<std::pair<std::string, double>> values;
+  for (const EvaluatedMetric& row : evaluated_metrics()) {
+    if (!input_.wanted.contains(row.metric.name)) continue;
+    values.emplace_back(row.metric.name, row.value(*this));
+  }
+  return values;
+}
+
+std::vector<Metric> moving_metrics() {
+  std::vector<Metric> metrics;
+  for (const EvaluatedMetric& row : evaluated_metrics()) metrics.push_back(row.metric);
+  return metrics;
+}
+
+}  // namespace mapbed

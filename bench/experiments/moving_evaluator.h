@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "algorithms/estimator.h"
+#include "algorithms/grid/map_builder.h"
+#include "bench/metrics/cells_by_cause.h"
+#include "bench/metrics/label_error.h"
+#include "bench/metrics/tracking_frame.h"
+#include "bench/results/results.h"
+#include "bench/sources/run_input.h"
+
+namespace mapbed {
+
+struct TrackingMetricOptions {
+  double match_distance = 0.75;  // [m]
+  double range = 8.0;            // [m]
+  int least_beams = 2;
+  double longest_occlusion = 3.0;  // [s]
+};
+
+template <class Visitor>
+void visit_fields(TrackingMetricOptions& o, Visitor&& visit) {
+  visit("match_distance", o.match_distance, Unit::meter, kPositive,
+        "at most between a person and the track that follows him");
+  visit("range", o.range, Unit::meter, kPositive,
+        "of the robot, in which a tracker is to find him");
+  visit("least_beams", o.least_beams, between(1, 1000), "of a scan on him, for that");
+  visit("longest_occlusion", o.longest_occlusion, Unit::second, kPositive,
+        "that a track is to survive");
+}
+
+// What a run says of what moves, against the truth of a simulated recording. A metric is NaN where
+// nobody knows the truth, or where the method says nothing of it.
+class MovingEvaluator {
+ public:
+  // All of these must outlive the evaluator; `world_from_robot` is the path of the estimate in the
+  // world's frame, `map` made of it.
+  MovingEvaluator(const TrackingMetricOptions& options, const MapOptions& map_options,
+                  const RunInput& input, const Estimate& estimate,
+                  const Trajectory& world_from_robot, const OccupancyMap& map);
+
+  const LabelErrors* labels();  // null: there are none
+  const SpuriousCells* spurious();
+  double lost();                   // fraction of the true cells
+  const TrackingFrames* frames();  // in which everybody counts
+  double occlusions_kept();
+
+  double match_distance() const { return options_.match_distance; }
+
+  // The values of the wanted metrics of the table below.
+  std::vector<std::pair<std::string, double>> values();
+
+ private:
+  bool has_truth() const;
+  TrackingFrames all_frames() const;
+
+  TrackingMetricOptions options_;
+  const MapOptions& map_options_;
+  const RunInput& input_;
+  const Estimate& estimate_;
+  const Trajectory& world_from_robot_;
+  const OccupancyMap& map_;
+  std::optional<TrueCauses> causes_;
+  std::optional<LabelErrors> labels_;
+  std::optional<SpuriousCells> spurious_;
+  std::optional<TrackingFrames> frames_;
+};
+
+// Name, unit and meaning of all that a MovingEvaluator can tell.
+std::vector<Metric> moving_metrics();
+
+}  // namespace mapbed
