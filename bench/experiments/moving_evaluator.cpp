@@ -8,6 +8,7 @@
 #include "bench/metrics/identity_f1.h"
 #include "bench/metrics/occlusions.h"
 #include "bench/metrics/ospa.h"
+#include "sim/actors/person_body.h"
 #include "sim/recording.h"
 
 namespace mapbed {
@@ -198,7 +199,7 @@ TrackingFrames MovingEvaluator::all_frames() const {
     const std::map<int, int> beams = beams_on_entities(*scan, truth);
     for (const MovingPose& part : states->second->moving) {
       const TruthEntity& entity = truth.entities[static_cast<std::size_t>(part.entity)];
-      if (part.part != 0 || entity.kind != EntityKind::person) continue;
+      if (entity.kind != EntityKind::person || part.part != kTrunk) continue;
       const Eigen::Vector2d position = part.world_from_part.position.head<2>();
       const double away = (position - world_from_robot.position()).norm();
       if (away > options_.range) continue;
