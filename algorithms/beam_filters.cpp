@@ -2,6 +2,9 @@
 
 #include <type_traits>
 
+#include "algorithms/visibility/ever_free.h"
+#include "algorithms/visibility/saturated_map.h"
+#include "algorithms/visibility/visibility_vote.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
 
@@ -28,7 +31,14 @@ BeamFilterEntry filter(const std::string& name, const std::string& about,
 }  // namespace
 
 const std::vector<BeamFilterEntry>& beam_filters() {
-  static const std::vector<BeamFilterEntry> table{};
+  static const std::vector<BeamFilterEntry> table{
+      filter<EverFree, EverFreeOptions>(
+          "ever_free", "whatever is seen where a place was ever surely free, as DUFOMap does"),
+      filter<SaturatedMap, SaturatedMapOptions>(
+          "saturated_map", "what is seen where an occupancy map that forgets is free in the end"),
+      filter<VisibilityVote, VisibilityVoteOptions>("visibility_vote",
+                                                    "what more scans see through than see"),
+  };
   return table;
 }
 

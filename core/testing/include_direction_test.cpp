@@ -48,7 +48,7 @@ const std::map<std::string, std::vector<Levels>> kInnerOrder = {
        {"field"},
        {"scan_matching"},
        {"localization", "refinement", "pose_graph"},
-       {"submaps", "rbpf", "people", "dynamic_em", "lazy_association", "rfid"}},
+       {"submaps", "rbpf", "people", "visibility", "dynamic_em", "lazy_association", "rfid"}},
       {{"registration3d"}, {"surface"}, {"nonrigid", "exploration", "flight"}}}},
     {"bench",
      {{{"process", "plot", "metrics", "faults"},

@@ -1,0 +1,37 @@
+#include "algorithms/visibility/saturated_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/visibility/scan_looks.h"
+
+namespace mapbed {
+namespace {
+
+double log_odds(double p) {
+  return std::log(p / (1.0 - p));
+}
+
+}  // namespace
+
+BeamLabels SaturatedMap::labels(std::span<const LaserScan> scans,
+                                const Trajectory& map_from_robot) const {
+  const double hit = log_odds(options_.p_hit), pass = log_odds(options_.p_pass);
+  const double least = log_odds(options_.least), most = log_odds(options_.most);
+  TiledGrid<float> odds(options_.resolution);
+  TiledGrid<std::uint32_t> last(options_.resolution);
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    TiledGrid<float>::Writer writer(odds);
+    for_each_look(scans[i], map_from_robot[i].pose, options_.beams, options_.end_margin,
+                  static_cast<std::uint32_t>(i + 1), last, [&](CellIndex cell, bool is_hit) {
+                    float& l = writer.at(cell);
+                    const double next = static_cast<double>(l) + (is_hit ? hit : pass);
+                    l = static_cast<float>(std::clamp(next, least, most));
+                  });
+  }
+  return labels_of_ends(scans, map_from_robot, options_.beams, [&](const Eigen::Vector2d& end) {
+    return 1.0 / (1.0 + std::exp(-static_cast<double>(odds[odds.cell_of(end)])));
+  });
+}
+
+}  // namespace mapbed
