@@ -193,6 +193,8 @@ MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
   run.was_interrupted = !whole;
   run.kept = std::move(estimated.kept);
   if (run.estimate.labels) {
+    run.dynamic =
+        dynamic_points(log, run.estimate.trajectory, *run.estimate.labels, config.map.beams);
     run.labels = labels_of_lasers(*run.estimate.labels, log);
     run.cleaned = without_dynamic_beams(as_recorded, run.labels);
   }
@@ -215,8 +217,9 @@ void write_map_run(const std::string& folder, const std::string& log_name, const
   write_map(yaml.substr(0, yaml.rfind('.')), run.walls,
             graded ? MapServerMode::raw : MapServerMode::trinary);
   write_png(coming.add("map.png"), to_image(run.map, image_box(run.walls)));
-  write_png(coming.add("picture.png"),
-            picture_of(run.map, {{run.config.chosen.name, run.estimate.trajectory}}));
+  write_png(
+      coming.add("picture.png"),
+      picture_of(run.map, {{run.config.chosen.name, run.estimate.trajectory}}, {}, run.dynamic));
   write_file(coming.add("config.yaml"), to_yaml(run.config));
   write_file(coming.add("cost.csv"), cost_csv(run.cost));
   if (!run.labels.empty()) {

@@ -10,6 +10,7 @@
 #include "algorithms/input/input_stage.h"
 #include "bench/cli/map_config.h"
 #include "bench/methods/program_run.h"
+#include "bench/plot/map_picture.h"
 #include "core/log/log_file.h"
 
 namespace mapbed {
@@ -34,8 +35,9 @@ struct MapRun {
   MapCost cost;
   std::string log_sha256 = {};  // of the log's file; empty where there is none to be read again
   bool was_interrupted = false;
-  BeamLabels labels = {};  // of each laser's own scans; empty: the method gives none
-  SensorLog cleaned = {};  // the log without what they call dynamic
+  BeamLabels labels = {};    // of each laser's own scans; empty: the method gives none
+  DrawnPoints dynamic = {};  // what they call dynamic, for the picture
+  SensorLog cleaned = {};    // the log without what they call dynamic
   std::vector<std::pair<std::string, std::string>> kept = {};  // of a program's own files
 
   bool complete() const { return !was_interrupted; }

@@ -32,6 +32,19 @@ double of_tracks(MovingEvaluator& e, Value&& value) {
   return frames == nullptr ? kNone : value(*frames);
 }
 
+double rise(const std::vector<double>& values) {
+  return values.size() < 2 ? kNone : values.back() - values.front();
+}
+
+double least_step(const std::vector<double>& values) {
+  double least = kNone;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double step = values[i] - values[i - 1];
+    if (!(least <= step)) least = step;
+  }
+  return least;
+}
+
 struct EvaluatedMetric {
   Metric metric;
   double (*value)(MovingEvaluator&);
@@ -111,6 +124,13 @@ const std::vector<EvaluatedMetric>& evaluated_metrics() {
       {{"occlusions_kept", Unit::none,
         "fraction of the occlusions below tracking.longest_occlusion that a track survives"},
        [](E& e) { return e.occlusions_kept(); }},
+      {{"likelihood_rise", Unit::none, "log_likelihood of the last iteration less the first one's"},
+       [](E& e) { return rise(e.iterations("log_likelihood")); }},
+      {{"marginal_rise", Unit::none, "the same of marginal_log_likelihood"},
+       [](E& e) { return rise(e.iterations("marginal_log_likelihood")); }},
+      {{"marginal_least_step", Unit::none,
+        "least change of marginal_log_likelihood from one iteration to the next"},
+       [](E& e) { return least_step(e.iterations("marginal_log_likelihood")); }},
   };
   return table;
 }
@@ -162,6 +182,14 @@ const SpuriousCells* MovingEvaluator::spurious() {
                                world_from_robot_, *causes_);
   }
   return &*spurious_;
+}
+
+const std::vector<double>& MovingEvaluator::iterations(const std::string& name) const {
+  static const std::vector<double> kNoValues;
+  for (const IterationValues& iterations : estimate_.iterations) {
+    if (iterations.name == name) return iterations.values;
+  }
+  return kNoValues;
 }
 
 double MovingEvaluator::lost() {

@@ -48,6 +48,7 @@ class MovingEvaluator {
   double lost();                   // fraction of the true cells
   const TrackingFrames* frames();  // in which everybody counts
   double occlusions_kept();
+  const std::vector<double>& iterations(const std::string& name) const;  // empty: there are none
 
   double match_distance() const { return options_.match_distance; }
 

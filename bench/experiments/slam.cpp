@@ -65,7 +65,10 @@ ResultFile picture_file(const RunInput& input, SlamEvaluator& evaluator) {
   std::vector<DrawnPath> paths;
   if (!input.truth.empty()) paths.push_back({"true path", input.truth});
   paths.push_back({"estimated path", evaluator.world_from_robot()});
-  return {"maps/map.png", png_of(picture_of(evaluator.map(), paths, {.longest_side = 1000}))};
+  const DrawnPoints dynamic =
+      dynamic_points(input.log, evaluator.world_from_robot(), labels_in(evaluator.estimate()));
+  return {"maps/map.png",
+          png_of(picture_of(evaluator.map(), paths, {.longest_side = 1000}, dynamic))};
 }
 
 // The run to be watched, in the world's frame.
@@ -156,6 +159,9 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
   outcome.failure = evaluator.failure();
   outcome.files = std::move(watched.figures);
   outcome.series = std::move(watched.series);
+  for (Series& series : series_of_iterations(estimate, input)) {
+    outcome.series.push_back(std::move(series));
+  }
   for (auto& [name, content] : watched.run.kept) {
     if (input.shown) outcome.files.push_back({"program/" + name, std::move(content)});
   }

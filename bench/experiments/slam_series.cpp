@@ -32,6 +32,10 @@ const std::vector<SeriesMetric>& slam_series() {
        "effective number of particles at an update, before resampling"},
       {kAncestors, Unit::none, "time", Unit::second,
        "particles of an update that have descendants at the end"},
+      {"log_likelihood", Unit::none, "iteration", Unit::none,
+       "of the beams and their causes, in expectation, (4.7)"},
+      {"marginal_log_likelihood", Unit::none, "iteration", Unit::none,
+       "of the beams, whatever their causes"},
   };
   return table;
 }
@@ -80,6 +84,18 @@ std::vector<Series> SlamSeries::finish(const Estimator& estimator) {
     all.push_back(thinned(kAncestors, updates, start_, step_, [](const Diversity& d) {
       return static_cast<double>(d.distinct_ancestors);
     }));
+  }
+  return all;
+}
+
+std::vector<Series> series_of_iterations(const Estimate& estimate, const RunInput& input) {
+  std::vector<Series> all;
+  for (const IterationValues& iterations : estimate.iterations) {
+    if (!input.wanted.contains(iterations.name)) continue;
+    Series& series = all.emplace_back(Series{.name = iterations.name});
+    for (std::size_t i = 0; i < iterations.values.size(); ++i) {
+      series.points.push_back({static_cast<double>(i), iterations.values[i]});
+    }
   }
   return all;
 }

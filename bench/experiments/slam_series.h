@@ -37,4 +37,7 @@ class SlamSeries {
   Series position_error_;
 };
 
+// Of a method that iterates, those of slam_series() that are wanted.
+std::vector<Series> series_of_iterations(const Estimate& estimate, const RunInput& input);
+
 }  // namespace mapbed

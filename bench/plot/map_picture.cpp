@@ -119,7 +119,24 @@ void draw_path(RgbImage& image, const DrawnPath& path, const Rgb& color, double 
   fill_disc(image, pieces.front().front(), 5.0, kBlack);
 }
 
-std::vector<LegendItem> legend_of(const std::vector<DrawnPath>& paths, const Reach& reach) {
+constexpr Rgb kOfWhatMoves{230, 120, 0};
+
+void draw_points(RgbImage& image, const DrawnPoints& points, const OccupancyMap& map,
+                 const Layout& layout) {
+  const int side = layout.pixels_per_cell;
+  for (const Eigen::Vector2d& point : points.points) {
+    if (!layout.box.contains(map.cell_of(point))) continue;
+    const Eigen::Vector2d corner = pixel_of(point, map, layout);
+    const int x = static_cast<int>(corner.x()) - (static_cast<int>(corner.x()) - kMargin) % side;
+    const int y = static_cast<int>(corner.y()) - (static_cast<int>(corner.y()) - kMargin) % side;
+    for (int dy = 0; dy < side; ++dy) {
+      for (int dx = 0; dx < side; ++dx) image.at(x + dx, y + dy) = kOfWhatMoves;
+    }
+  }
+}
+
+std::vector<LegendItem> legend_of(const std::vector<DrawnPath>& paths, const DrawnPoints& points,
+                                  const Reach& reach) {
   std::vector<LegendItem> items;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const int far = reach.not_shown(paths[i]);
@@ -127,6 +144,9 @@ std::vector<LegendItem> legend_of(const std::vector<DrawnPath>& paths, const Rea
     items.push_back({LegendItem::Kind::line, color_of_path(i), paths[i].name + remark});
   }
   if (!paths.empty()) items.push_back({LegendItem::Kind::disc, kBlack, "start"});
+  if (!points.points.empty()) {
+    items.push_back({LegendItem::Kind::area, kOfWhatMoves, points.name});
+  }
   for (LegendItem& item : legend_of_cells()) items.push_back(std::move(item));
   return items;
 }
@@ -134,18 +154,19 @@ std::vector<LegendItem> legend_of(const std::vector<DrawnPath>& paths, const Rea
 }  // namespace
 
 RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths,
-                    const PictureOptions& options) {
+                    const PictureOptions& options, const DrawnPoints& points) {
   const CellBox surroundings = box_of_surroundings(map);
   const Reach reach(map, surroundings, paths);
   const Layout layout =
       layout_of(box_around(map, surroundings, paths, reach), options.longest_side);
   const int width = std::max(layout.width(), kMinWidth);
-  const std::vector<LegendItem> items = legend_of(paths, reach);
+  const std::vector<LegendItem> items = legend_of(paths, points, reach);
   const int legend_height = (legend_rows(items, width) + 1) * kLegendRow;
 
   RgbImage image(width + 2 * kMargin, layout.height() + 3 * kMargin + legend_height, kWhite);
   paste(image_of_cells(map, layout.box, layout.cells_per_pixel), layout.pixels_per_cell, image,
         kMargin, kMargin);
+  draw_points(image, points, map, layout);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const double line = 1.8 + 2.4 * static_cast<double>(paths.size() - 1 - i);
     draw_path(image, paths[i], color_of_path(i), line, map, layout, reach);
@@ -157,6 +178,22 @@ RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths
   draw_scale_bar(image, below, pixels_per_meter, width);
   draw_legend(image, items, below + Eigen::Vector2d(0, kLegendRow), width);
   return image;
+}
+
+DrawnPoints dynamic_points(const SensorLog& log, const Trajectory& map_from_robot,
+                           std::span<const ScanLabels> labels, const BeamLimits& limits) {
+  DrawnPoints drawn{.name = "met what moves"};
+  std::size_t i = 0;
+  for (const Measurement& measurement : log) {
+    const auto* scan = std::get_if<LaserScan>(&measurement);
+    if (scan == nullptr || !scan->robot_from_laser.is_level()) continue;
+    if (i == labels.size()) break;
+    for_each_beam(*scan, map_from_robot[i].pose, limits, [&](std::size_t n, const Beam& beam) {
+      if (beam.hit && is_dynamic(labels[i], n)) drawn.points.push_back(beam.end);
+    });
+    ++i;
+  }
+  return drawn;
 }
 
 }  // namespace mapbed

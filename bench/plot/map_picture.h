@@ -1,17 +1,28 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "algorithms/grid/occupancy_map.h"
+#include "algorithms/scan/beam.h"
 #include "core/geometry/trajectory.h"
 #include "core/image/image.h"
+#include "core/labels/beam_labels.h"
 
 namespace mapbed {
 
 struct DrawnPath {
   std::string name;  // in the legend
   Trajectory map_from_robot;
+};
+
+// Places that no map shows: where beams met what moves.
+struct DrawnPoints {
+  std::string name = {};  // in the legend
+  std::vector<Eigen::Vector2d> points = {};
 };
 
 struct PictureOptions {
@@ -24,8 +35,13 @@ struct PictureOptions {
 // the paths in colours that the colour-blind tell apart, the first one widest, so that where they
 // agree all are seen; a disc where each begins, and in the legend how many of its poses lie so far
 // out that the picture does not show them; below, a scale bar and a legend. Where a pixel holds
-// several cells, thin walls stay visible.
+// several cells, thin walls stay visible. Points are orange, a cell wide, below the paths.
 RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths,
-                    const PictureOptions& options = {});
+                    const PictureOptions& options = {}, const DrawnPoints& points = {});
+
+// Where the dynamic beams of a log ended; none where there are no labels. Labels as build_map()
+// takes them.
+DrawnPoints dynamic_points(const SensorLog& log, const Trajectory& map_from_robot,
+                           std::span<const ScanLabels> labels, const BeamLimits& limits = {});
 
 }  // namespace mapbed
