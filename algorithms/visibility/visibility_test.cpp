@@ -26,6 +26,13 @@ std::vector<LaserScan> looks(const std::string& looks) {
   return scans;
 }
 
+// So many hits, then so many passes.
+std::string hits_then_passes(std::size_t hits, std::size_t passes) {
+  std::string text(hits, 'h');
+  text.append(passes, 'p');
+  return text;
+}
+
 // Whether the first beam that ended in the fourth cell is dynamic.
 template <class Filter>
 bool is_taken_for_dynamic(Filter filter, const std::vector<LaserScan>& scans) {
@@ -76,10 +83,9 @@ TEST(SaturatedMap, BelievesWhatItSawLast) {
 TEST(SaturatedMap, ForgetsSoonBecauseItIsNeverTooSure) {
   // From 0.971, log odds 3.5, nine passes of -0.405 lead below 0; a hundred hits before are the
   // same.
-  const std::string passes(9, 'p');
-  EXPECT_TRUE(by_saturated_map(looks(std::string(5, 'h') + passes)));
-  EXPECT_TRUE(by_saturated_map(looks(std::string(100, 'h') + passes)));
-  EXPECT_FALSE(by_saturated_map(looks(std::string(100, 'h') + std::string(8, 'p'))));
+  EXPECT_TRUE(by_saturated_map(looks(hits_then_passes(5, 9))));
+  EXPECT_TRUE(by_saturated_map(looks(hits_then_passes(100, 9))));
+  EXPECT_FALSE(by_saturated_map(looks(hits_then_passes(100, 8))));
 }
 
 bool by_ever_free(const std::vector<LaserScan>& scans) {
@@ -88,8 +94,8 @@ bool by_ever_free(const std::vector<LaserScan>& scans) {
 }
 
 TEST(EverFree, WhatWasSurelyFreeAFewTimesIsNeverOfThePlace) {
-  EXPECT_TRUE(by_ever_free(looks(std::string(100, 'h') + "ppp")));
-  EXPECT_FALSE(by_ever_free(looks(std::string(100, 'h') + "pp")));
+  EXPECT_TRUE(by_ever_free(looks(hits_then_passes(100, 3))));
+  EXPECT_FALSE(by_ever_free(looks(hits_then_passes(100, 2))));
 }
 
 LaserScan fan(std::vector<double> ranges) {
