@@ -2,6 +2,9 @@
 
 #include "core/log/bags/rosbag1.h"
 
+#include <cstdint>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -83,6 +86,28 @@ TEST(Rosbag1, OthersAreRefusedWithTheReason) {
   EXPECT_INPUT_ERROR(read(TestBag::beginning() + std::string(100, '\xff')),
                      "a.bag: is cut short: read up to there, where no laser scan stands; fetch or "
                      "copy the file again");
+}
+
+// With its length in front.
+std::string counted(const std::string& text) {
+  return std::string(1, static_cast<char>(text.size())) + std::string(3, '\0') + text;
+}
+
+TEST(Rosbag1, AnEncryptedOneIsRefusedWithTheName) {
+  const std::string header = counted("op=\x03") + counted("encryptor=rosbag/AesCbcEncryptor");
+  EXPECT_INPUT_ERROR(read("#ROSBAG V2.0\n" + counted(header) + counted("")),
+                     "a.bag: is encrypted by 'rosbag/AesCbcEncryptor'; decrypt it with rosbag");
+}
+
+TEST(Rosbag1, EndlessConnectionsAreDamage) {
+  std::string bytes = TestBag::beginning();
+  for (std::uint32_t k = 0; k <= 1u << 16; ++k) {
+    const char number[] = {static_cast<char>(k), static_cast<char>(k >> 8),
+                           static_cast<char>(k >> 16), '\0'};
+    const std::string header = counted("op=\x07") + counted("conn=" + std::string(number, 4));
+    bytes += counted(header) + counted("");
+  }
+  EXPECT_INPUT_ERROR(read(bytes), "a.bag: damaged record: left out with the rest of its file");
 }
 
 TEST(Rosbag1, APromisedLengthTakesNoMemory) {

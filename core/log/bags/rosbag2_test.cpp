@@ -19,6 +19,7 @@ namespace mapbed {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 std::string foreign(const std::string& name) {
@@ -73,6 +74,28 @@ TEST_F(Rosbag2, RunsNothingThatSomebodyElseHasPutIntoIt) {
       "CREATE VIEW messages AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i+1 FROM n)"
       "SELECT i AS topic_id, i AS timestamp, 'x' AS data FROM n;";
   EXPECT_INPUT_ERROR(load_log(database(endless)), "is no ROS 2 bag that can be read");
+}
+
+TEST_F(Rosbag2, AScanWithOtherFieldsIsRefusedWhereItTellsThem) {
+  std::string bytes = read_text_file(foreign("iron.db3"));
+  const std::string field = "float32 angle_min";
+  ASSERT_NE(bytes.find(field), bytes.npos);
+  for (std::size_t at = 0; (at = bytes.find(field, at)) != bytes.npos; ++at)
+    bytes.replace(at, field.size(), "float64 angle_min");
+  EXPECT_INPUT_ERROR(load_log(written(bytes)),
+                     "'/scan' is called 'sensor_msgs/msg/LaserScan', but its messages have other "
+                     "fields than those of ROS by that name");
+}
+
+TEST_F(Rosbag2, APartThatIsBrokenFromItsBeginningOnDoesNotHideTheOthers) {
+  const std::string whole = read_text_file(foreign("humble.db3"));
+  std::ofstream(folder_.file("a_0.db3"), std::ios::binary) << whole.substr(0, 700);
+  std::ofstream(folder_.file("a_1.db3"), std::ios::binary) << whole;
+  const RecordedLog log = load_log(folder_.file("."));
+  EXPECT_EQ(log.measurements.size(), 6u);
+  ASSERT_EQ(log.warnings.size(), 1u);
+  EXPECT_THAT(to_string(log.warnings[0]), AllOf(HasSubstr("a part of it cannot be read, "),
+                                                HasSubstr("a_0.db3: is no ROS 2 bag")));
 }
 
 TEST_F(Rosbag2, DamagedInTheMiddleHasWhatStandsBefore) {
