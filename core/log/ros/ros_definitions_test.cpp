@@ -17,7 +17,8 @@ TEST(RosDefinitions, TypesAreKnownByTheNamesOfRos1AndRos2) {
 
 TEST(RosDefinitions, CommentsConstantsAndWholeNamesMakeNoOtherFields) {
   const std::string text =
-      "# A pose\n\nuint8 MODE=3 # a constant\nHeader header   # when\ngeometry_msgs/Pose pose\n" +
+      "# A pose\n\nuint8 MODE=3 # a constant\nuint8 OTHER = 4\nHeader header   # "
+      "when\ngeometry_msgs/Pose pose\n" +
       kRule + "\nMSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n" + kRule +
       "\nMSG: geometry_msgs/Pose\nPoint position\nQuaternion  orientation\n" + kRule +
       "\nMSG: geometry_msgs/Quaternion\nfloat64 x 0\nfloat64 y 0\nfloat64 z 0\nfloat64 w 1\n" +

@@ -14,7 +14,7 @@ namespace {
 
 TEST(Unrounded, ReadingsAreTheDecimalsThatLasersTell) {
   for (const double told :
-       {0.0, 0.02, 2.37, 4.095, 7.123456, 12.3456, 29.999, 81.83, 163.1, 4093.0})
+       {0.0, 0.02, 2.37, 4.095, 7.123456, 12.3456, 23.4567, 29.999, 81.83, 163.1, 4093.0})
     EXPECT_EQ(unrounded(static_cast<float>(told)), told);
 }
 
@@ -36,7 +36,7 @@ TEST(Unrounded, AllAreStoredAsTheFloatThatTheyComeFrom) {
 
 TEST(Unrounded, BearingsAreFractionsOfADegree) {
   for (const double told :
-       {-90.0, -119.53125, -134.75, 0.25, 0.5, 1.0, 1.0 / 3.0, 45.0 / 128.0, 0.1125})
+       {-90.0, -119.53125, -134.75, -119.885, 0.25, 0.5, 1.0, 1.0 / 3.0, 45.0 / 128.0, 0.1125})
     EXPECT_EQ(unrounded_bearing(static_cast<float>(radians(told))), radians(told)) << told;
 }
 
