@@ -59,6 +59,17 @@ double CauseMap::m_of(const Cell& cell) const {
   return std::clamp(m, options_.least_m, 1.0 - options_.least_m);
 }
 
+double CauseMap::largest_m_about(CellIndex index) const {
+  double largest = options_.least_m;
+  for (int y = index.y - 1; y <= index.y + 1; ++y) {
+    for (int x = index.x - 1; x <= index.x + 1; ++x) {
+      const Cell& cell = cells_[{x, y}];
+      if (cell.ends > 0.0F) largest = std::max(largest, m_of(cell));
+    }
+  }
+  return largest;
+}
+
 void CauseMap::step() {
   TiledGrid<Cell>::Writer writer(cells_);
   cells_.for_each([&](CellIndex index, const Cell& cell) {
@@ -101,7 +112,7 @@ BeamLabels CauseMap::labels(const SensorLog& log, const Trajectory& map_from_rob
     of_scan = {scan.time, scan.laser, std::vector<float>(scan.ranges.size(), kNoLabel)};
     for_each_beam(scan, pose, options_.beams, [&](std::size_t n, const Beam& beam) {
       if (!beam.hit) return;
-      const BeamTerms terms{.m_end = m_of(cells_[cells_.cell_of(beam.end)])};
+      const BeamTerms terms{.m_end = largest_m_about(cells_.cell_of(beam.end))};
       of_scan.static_probability[n] =
           static_cast<float>(expectation_of_cause(terms, true, options_.p_static));
     });

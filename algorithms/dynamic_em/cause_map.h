@@ -41,7 +41,8 @@ class CauseMap {
   // beams. No step lowers it.
   double marginal_log_likelihood() const;
 
-  // e of the beams of each scan, by the cells that they end in now.
+  // e of the beams of each scan, by the likeliest of the cells that they may have ended in: the one
+  // that they do end in and those about it, for ranges and poses are no better known.
   BeamLabels labels(const SensorLog& log, const Trajectory& map_from_robot) const;
   OccupancyMap occupancy() const;  // m_j, of cells that a beam touched
 
@@ -52,6 +53,7 @@ class CauseMap {
     float e = 0.0F;       // of the beams that end here, that the M-step had
   };
   double m_of(const Cell& cell) const;
+  double largest_m_about(CellIndex index) const;
 
   CauseMapOptions options_;
   TiledGrid<Cell> cells_;

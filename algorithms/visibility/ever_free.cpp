@@ -98,10 +98,9 @@ BeamLabels EverFree::labels(std::span<const LaserScan> scans,
                   });
   }
   const auto enough = static_cast<double>(options_.scans);
-  return labels_of_ends(scans, map_from_robot, options_.beams, [&](const Eigen::Vector2d& end) {
+  return labels_of_ends(scans, map_from_robot, options_.beams, looks.frame(), [&](CellIndex cell) {
     // One half where the last scan that it takes is missing.
-    const double free = looks[looks.cell_of(end)].free;
-    return 1.0 / (1.0 + std::pow(free / (enough - 0.5), 2.0));
+    return 1.0 / (1.0 + std::pow(static_cast<double>(looks[cell].free) / (enough - 0.5), 2.0));
   });
 }
 

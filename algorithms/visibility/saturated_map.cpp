@@ -29,8 +29,9 @@ BeamLabels SaturatedMap::labels(std::span<const LaserScan> scans,
                     l = static_cast<float>(std::clamp(next, least, most));
                   });
   }
-  return labels_of_ends(scans, map_from_robot, options_.beams, [&](const Eigen::Vector2d& end) {
-    return 1.0 / (1.0 + std::exp(-static_cast<double>(odds[odds.cell_of(end)])));
+  return labels_of_ends(scans, map_from_robot, options_.beams, odds.frame(), [&](CellIndex cell) {
+    if (last[cell] == 0) return 0.0;  // nobody looked there
+    return 1.0 / (1.0 + std::exp(-static_cast<double>(odds[cell])));
   });
 }
 

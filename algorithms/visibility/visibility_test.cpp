@@ -13,15 +13,26 @@
 namespace mapbed {
 namespace {
 
-// A beam from the middle of the first cell of 1 m; 'h' ends in the fourth cell, 'p' passes it.
+// Parallel beams from the middle of the first cells of three rows of 1 m; those of the outer rows
+// pass.
+LaserScan rows(double time, const std::vector<double>& ranges_of_middle) {
+  LaserScan scan;
+  scan.time = time;
+  scan.max_range = 20.0;
+  scan.ranges = ranges_of_middle;
+  scan.robot_from_beams.assign(ranges_of_middle.size(), Pose2{});
+  for (const double side : {-1.0, 1.0}) {
+    scan.ranges.push_back(7.0);
+    scan.robot_from_beams.push_back({0.0, side, 0.0});
+  }
+  return scan;
+}
+
+// 'h' ends in the fourth cell of the middle row, 'p' passes it.
 std::vector<LaserScan> looks(const std::string& looks) {
   std::vector<LaserScan> scans;
   for (const char look : looks) {
-    LaserScan scan;
-    scan.time = static_cast<double>(scans.size());
-    scan.max_range = 20.0;
-    scan.ranges = {look == 'h' ? 3.0 : 7.0};
-    scans.push_back(scan);
+    scans.push_back(rows(static_cast<double>(scans.size()), {look == 'h' ? 3.0 : 7.0}));
   }
   return scans;
 }
@@ -64,10 +75,9 @@ TEST(VisibilityVote, WantsMoreScansThatSawThroughThanTheRatio) {
 
 TEST(VisibilityVote, EachScanVotesOnceAndForWhatItSaw) {
   std::vector<LaserScan> scans = looks("hpp");
-  for (LaserScan& scan : scans) scan.bearing_step = 1e-6;
-  scans[1].ranges = {7.0, 7.0, 7.0, 7.0};
+  scans[1] = rows(1.0, {7.0, 7.0, 7.0, 7.0});
   EXPECT_FALSE(by_vote(scans));
-  scans[0].ranges = {7.0, 3.0};
+  scans[0] = rows(0.0, {7.0, 3.0});
   EXPECT_FALSE(by_vote(scans)) << "a hit outweighs the pass of its own scan";
 }
 
@@ -170,7 +180,7 @@ class ARoom : public ::testing::Test {
 };
 
 TEST_F(ARoom, VotesFindABoxThatGoesAndLeaveTheWalls) {
-  expect_found(VisibilityVote());
+  expect_found(VisibilityVote({.ratio = 1.0}));
 }
 
 TEST_F(ARoom, ASaturatedMapFindsABoxThatGoesAndLeavesTheWalls) {

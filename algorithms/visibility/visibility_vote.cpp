@@ -20,8 +20,9 @@ BeamLabels VisibilityVote::labels(std::span<const LaserScan> scans,
                     ++(is_hit ? of_cell.hits : of_cell.passes);
                   });
   }
-  return labels_of_ends(scans, map_from_robot, options_.beams, [&](const Eigen::Vector2d& end) {
-    const Votes& of_cell = votes[votes.cell_of(end)];
+  return labels_of_ends(scans, map_from_robot, options_.beams, votes.frame(), [&](CellIndex cell) {
+    const Votes& of_cell = votes[cell];
+    if (of_cell.hits == 0.0F) return 0.0;
     const double for_it = options_.ratio * static_cast<double>(of_cell.hits);
     return for_it / (for_it + static_cast<double>(of_cell.passes));
   });

@@ -8,6 +8,7 @@
 #include "bench/metrics/identity_f1.h"
 #include "bench/metrics/occlusions.h"
 #include "bench/metrics/ospa.h"
+#include "core/image/map_server.h"
 #include "sim/actors/person_body.h"
 #include "sim/recording.h"
 
@@ -86,9 +87,11 @@ const std::vector<EvaluatedMetric>& evaluated_metrics() {
       {{"associated_accuracy", Unit::none,
         "root of (1 - static_removed) times label_recall, see label_error.h"},
        [](E& e) { return of_labels(e, [](const L& l) { return l.associated_accuracy(); }); }},
-      {{"mover_cells", Unit::none, "spurious occupied cells made by what moves in the recording"},
+      {{"mover_cells", Unit::none,
+        "cells that truly are free and that a map server is not told so, made by what moves in the "
+        "recording"},
        [](E& e) { return of_cells(e, &SpuriousCells::of_movers); }},
-      {{"resting_cells", Unit::none, "spurious occupied cells of what could move and never does"},
+      {{"resting_cells", Unit::none, "the same of what could move and never does"},
        [](E& e) { return of_cells(e, &SpuriousCells::of_resting); }},
       {{"lost_cells", Unit::none,
         "fraction of the true occupied cells that a map of all beams shows and this one does not"},
@@ -178,8 +181,9 @@ const LabelErrors* MovingEvaluator::labels() {
 const SpuriousCells* MovingEvaluator::spurious() {
   if (!causes_ || !input_.true_map || world_from_robot_.empty()) return nullptr;
   if (!spurious_) {
-    spurious_ = spurious_cells(map_, input_.true_map(map_options_.resolution), input_.log,
-                               world_from_robot_, *causes_);
+    spurious_ =
+        spurious_cells(map_, input_.true_map(map_options_.resolution), input_.log,
+                       world_from_robot_, *causes_, {.occupied = MapServerThresholds{}.free});
   }
   return &*spurious_;
 }

@@ -7,8 +7,8 @@
 
 namespace mapbed {
 
-// What made the occupied cells of a map that are none of the world's: by most of the beams that end
-// in them.
+// What made the cells of a map that are at least options.occupied and none of the world's: by most
+// of the beams that end in them.
 struct SpuriousCells {
   long of_movers = 0;   // of what moves in this recording
   long of_resting = 0;  // of what could and does not

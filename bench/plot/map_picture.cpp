@@ -97,8 +97,9 @@ Eigen::Vector2d pixel_of(const Eigen::Vector2d& point, const OccupancyMap& map,
           kMargin + (layout.box.max.y + 1 - cells.y()) * scale};
 }
 
-Rgb color_of_path(std::size_t path) {
-  return categorical_color(static_cast<int>(path) + 1);  // 0 is black, as walls are
+// 0 is black, as walls are; 1 is orange, as points may be.
+Rgb color_of_path(std::size_t path, const DrawnPoints& points) {
+  return categorical_color(static_cast<int>(path) + (points.points.empty() ? 1 : 2));
 }
 
 // Where the path leaves what is shown, it breaks off.
@@ -141,7 +142,7 @@ std::vector<LegendItem> legend_of(const std::vector<DrawnPath>& paths, const Dra
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const int far = reach.not_shown(paths[i]);
     const std::string remark = far > 0 ? fmt::format(" ({} poses are far outside)", far) : "";
-    items.push_back({LegendItem::Kind::line, color_of_path(i), paths[i].name + remark});
+    items.push_back({LegendItem::Kind::line, color_of_path(i, points), paths[i].name + remark});
   }
   if (!paths.empty()) items.push_back({LegendItem::Kind::disc, kBlack, "start"});
   if (!points.points.empty()) {
@@ -169,7 +170,7 @@ RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths
   draw_points(image, points, map, layout);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const double line = 1.8 + 2.4 * static_cast<double>(paths.size() - 1 - i);
-    draw_path(image, paths[i], color_of_path(i), line, map, layout, reach);
+    draw_path(image, paths[i], color_of_path(i, points), line, map, layout, reach);
   }
 
   const Eigen::Vector2d below(kMargin, layout.height() + 2 * kMargin + kLegendRow / 2);

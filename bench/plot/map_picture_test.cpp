@@ -47,6 +47,29 @@ TEST(MapPicture, DrawsThePathWhereTheRobotWas) {
   EXPECT_EQ(with.at(column(5.0), row - 5), without.at(column(5.0), row - 5));
 }
 
+TEST(MapPicture, ShowsPointsInTheirCellsAndSaysWhatTheyAre) {
+  const DrawnPoints points{"met what moves", {{5.04, 2.07}, {500.0, 2.0}}};
+  const RgbImage with = picture_of(hall(), {}, {}, points);
+  const RgbImage without = picture_of(hall(), {});
+  const int x = kMargin + 50 * kZoom, y = kMargin + (39 - 20) * kZoom;
+  EXPECT_NE(with.at(x, y), without.at(x, y));
+  EXPECT_EQ(with.at(x + kZoom - 1, y + kZoom - 1), with.at(x, y)) << "the whole cell";
+  EXPECT_EQ(with.at(x - 1, y), without.at(x - 1, y));
+  EXPECT_EQ(with.at(x + kZoom, y), without.at(x + kZoom, y));
+}
+
+TEST(MapPicture, PointsAreTheEndsOfDynamicBeamsAlone) {
+  LaserScan scan;
+  scan.max_range = 8.0;
+  scan.bearing_step = 0.5;
+  scan.ranges = {1.0, 2.0, 8.0};
+  const BeamLabels labels{{0.0, 0, {0.1F, 0.9F, 0.1F}}};
+  const DrawnPoints drawn = dynamic_points({scan}, {{0.0, {1.0, 2.0, 0.0}}}, labels);
+  ASSERT_EQ(drawn.points.size(), 1U);
+  EXPECT_NEAR((drawn.points[0] - Eigen::Vector2d(2.0, 2.0)).norm(), 0.0, 1e-12);
+  EXPECT_TRUE(dynamic_points({scan}, {{0.0, {}}}, {}).points.empty());
+}
+
 TEST(MapPicture, StaysSmallHoweverLargeTheMapAndKeepsThinWalls) {
   OccupancyMap map(0.05);
   for (int x = 0; x < 20000; ++x) map.at({x, 0}) = known(1.0);
