@@ -24,4 +24,9 @@ double LaserModel::sweep_time() const {
   return last;
 }
 
+double LaserModel::stamp_delay() const {
+  const bool is_one_instant = stamp == SweepStamp::middle || beam_period() == 0.0;
+  return is_one_instant ? sweep_time() / 2.0 : 0.0;
+}
+
 }  // namespace mapbed

@@ -14,6 +14,12 @@ enum class MixedPixels : int {
   pulse,     // weighted where the echoes overlap (closer than pulse_length), else either
 };
 
+// Which moment of a sweep its stamp tells.
+enum class SweepStamp : int {
+  first_beam,  // as LaserScan has it: methods take the beams one after the other from there on
+  middle,      // of a sweep that is over at once, nearly
+};
+
 // How a laser's readings differ from the true ranges. Zero switches a mechanism off.
 struct LaserNoise {
   double sigma_near = 0.005;            // [m] statistical error up to near_range
@@ -46,6 +52,7 @@ struct LaserModel {
   double scan_rate = 5.0;                      // [Hz] sweeps that are reported
   double mirror_rate = 75.0;                   // [Hz] turns of the mirror; 0: all beams at once
   int interlace = 1;  // turns of the mirror for one sweep; beam k belongs to turn k % interlace
+  SweepStamp stamp = SweepStamp::first_beam;  // where beam_period() is 0 it is the middle, too
   double divergence = 0.0044;  // [rad] full opening angle of the beam; 0 with aperture 0: a line
   double aperture = 0.02;      // [m] the beam's width where it leaves the sensor
   int sub_rays = 15;           // rays across the beam's width; few leave gaps between the readings
@@ -55,6 +62,7 @@ struct LaserModel {
   double beam_delay(int beam) const;  // [s] after the first beam of its sweep
   double beam_period() const;  // [s] from each beam to the next; 0: all at once, or interlaced
   double sweep_time() const;   // [s] from the first to the last beam in time
+  double stamp_delay() const;  // [s] of the sweep's stamp after its first beam
 };
 
 template <class Visitor>
@@ -98,6 +106,8 @@ void visit_fields(LaserModel& o, Visitor&& visit) {
   visit("mirror_rate", o.mirror_rate, Unit::hertz, between(0.0, 100'000.0),
         "turns of the mirror per second; 0: all beams at once");
   visit("interlace", o.interlace, between(1, 64), "turns of the mirror for one sweep");
+  visit("stamp", o.stamp, {"first_beam", "middle"},
+        "moment of a sweep that its stamp tells; the middle is for sweeps of 10 ms at most");
   visit("divergence", o.divergence, Unit::radian, between(0.0, 1.0), "opening angle of the beam");
   visit("aperture", o.aperture, Unit::meter, between(0.0, 1.0), "width of the beam at the sensor");
   visit("sub_rays", o.sub_rays, between(1, 15), "rays across the beam's width");

@@ -27,6 +27,17 @@ TEST(LaserModel, InterlacedBeamsBelongToTheNextTurn) {
   EXPECT_NEAR(laser.sweep_time(), (1.0 + 179.5 / 360.0) / 75.0, 1e-12);
 }
 
+TEST(LaserModel, AStampIsThatOfTheFirstBeamUnlessAllCountAsOneInstant) {
+  LaserModel laser;
+  laser.mirror_rate = 10.0;  // half a turn takes 50 ms, but for the last degree
+  EXPECT_EQ(laser.stamp_delay(), 0.0);
+  laser.stamp = SweepStamp::middle;
+  EXPECT_NEAR(laser.stamp_delay(), 0.025, 0.001);
+  laser.stamp = SweepStamp::first_beam;
+  laser.interlace = 2;  // of which no log can tell when each beam was sent
+  EXPECT_NEAR(laser.stamp_delay(), laser.sweep_time() / 2.0, 1e-12);
+}
+
 TEST(LaserModel, WithoutAMirrorAllBeamsGoAtOnce) {
   LaserModel laser;
   laser.mirror_rate = 0.0;

@@ -12,7 +12,8 @@
 namespace mapbed {
 namespace {
 
-constexpr double kMostRays = 1e8;  // [1/s] that are cast: minutes for each second of the drive
+constexpr double kMostRays = 1e8;     // [1/s] that are cast: minutes for each second of the drive
+constexpr double kOneInstant = 0.01;  // [s] that a sweep may take which is stamped in its middle
 
 void check(const LaserModel& laser, const SourceLocation& place) {
   if (laser.beams * laser.bearing_step > 2.0 * kPi + 1e-4) {
@@ -35,6 +36,13 @@ void check(const LaserModel& laser, const SourceLocation& place) {
   if (laser.mirror_rate > 0.0 && laser.scan_rate * laser.interlace > laser.mirror_rate) {
     throw InputError(place, "sweeps come faster than the mirror turns",
                      "lower scan_rate, or raise mirror_rate (0: all beams at once)");
+  }
+  if (laser.stamp == SweepStamp::middle && laser.beam_period() > 0.0 &&
+      laser.sweep_time() > kOneInstant) {
+    throw InputError(place,
+                     "a sweep of " + quantity_text(laser.sweep_time(), Unit::second) +
+                         " is stamped in its middle, and its beams are taken from the stamp on",
+                     "take stamp: first_beam, or raise mirror_rate");
   }
 }
 

@@ -58,7 +58,7 @@ class Schedule {
     }
     const LaserModel& model = lasers_[source].model;
     const double start = k / model.scan_rate;
-    return {start, start + model.sweep_time() / 2.0, start + model.sweep_time(),
+    return {start, start + model.stamp_delay(), start + model.sweep_time(),
             static_cast<int>(source), number};
   }
 

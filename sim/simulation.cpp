@@ -99,9 +99,13 @@ struct Simulation::State {
         actors(make_actors(world, NavigationMap(world, kOverTheFloor, kHeadHeight),
                            circle_around(robot, start, {}), options.actors, rng)),
         scene(world) {
+    double longest = 0.0, latest_stamp = 0.0;  // [s] after the first beam
     for (const MountedLaser& laser : lasers) {
-      history_length = std::max(history_length, laser.model.sweep_time() + options.step);
+      longest = std::max(longest, laser.model.sweep_time());
+      latest_stamp = std::max(latest_stamp, laser.model.stamp_delay());
     }
+    // A sweep that is over waits for those that were stamped before.
+    history_length = std::max(history_length, longest + latest_stamp + options.step);
     for (const auto& actor : actors) {
       for (const Entity& entity : actor->entities()) scene.add(entity);
       actor->append_obstacles(obstacles);
@@ -274,8 +278,9 @@ Simulation::Sweep Simulation::sweep(int laser_index, double start, std::uint64_t
 
   const Situation middle = at(start + duration / 2.0);
   const Motions motions(s.scene.entity_count(), middle.moving);
+  const double stamp = at(start + laser.model.stamp_delay()).time;
   Sweep result;
-  result.truth.time = result.ideal.time = middle.time;
+  result.truth.time = result.ideal.time = stamp;
   result.truth.laser = result.ideal.laser = laser_index;
   result.ideal.sweep = number;
   // All at once: a long recording keeps thousands of these.

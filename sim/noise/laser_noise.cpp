@@ -186,7 +186,9 @@ LaserScan with_noise(const IdealScan& ideal, const MountedLaser& laser, const Rn
   const Rng sweep = rng.stream("laser", static_cast<std::uint64_t>(ideal.laser), ideal.sweep);
   for (std::size_t k = 0; k < scan.ranges.size(); ++k) {
     const Draws draws(sweep.stream("beam", k));
-    const double sent = quantised(reading(ideal.beam(k), model, device, draws), model.noise.step);
+    const double read = reading(ideal.beam(k), model, device, draws);
+    const bool is_lost = read >= model.max_range;  // which need not be a multiple of the step
+    const double sent = is_lost ? model.max_range : quantised(read, model.noise.step);
     const double range = std::max(sent, smallest);
     if (range < model.min_range) continue;
     scan.ranges[k] = std::min(range, model.max_range);

@@ -19,7 +19,7 @@ struct Echo {
 
 // Everything about a sweep that noise needs to know: computed once, noise is drawn afterwards.
 struct IdealScan {
-  double time = 0.0;                      // [s] when the middle beam was sent
+  double time = 0.0;                      // [s] the scan's own stamp
   std::uint64_t sweep = 0;                // counts this laser's sweeps
   int laser = 0;                          // as LaserScan counts
   std::vector<Echo> echoes;               // beam after beam
