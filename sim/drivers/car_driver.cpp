@@ -19,6 +19,10 @@ constexpr double kReserve = 1.1;            // of the turning circle, for what t
 constexpr double kOffPath = 0.25;           // [m] further from its path it plans anew
 constexpr double kNearerThanPlanned = 0.7;  // of people_margin: then it stops
 constexpr double kAtEnd = 0.03;             // [m]
+constexpr double kStandOff = 4.0;           // times its patience: then it makes room ...
+constexpr double kRetreat = 1.5;            // [m] ... by so much
+constexpr double kLongestPause = 30.0;      // [s] between plans that came to nothing
+constexpr int kDetour = 12'000;             // places that are tried for a way round somebody
 
 // What the car's own arcs are planned with.
 CarBody body_of(const Robot& robot) {
@@ -28,6 +32,12 @@ CarBody body_of(const Robot& robot) {
                .turning_radius = kReserve * std::max(robot.drive.turning_radius(), 0.1)};
   if (robot.footprint.radius > 0.0) body.length = body.width = 2.0 * robot.footprint.radius;
   return body;
+}
+
+CarPathOptions path_options(const PathFollowingOptions& options, std::span<const Obstacle> people) {
+  CarPathOptions result{.margin = options.margin, .people_margin = options.people_margin};
+  if (!people.empty()) result.most_places = kDetour;
+  return result;
 }
 
 double length_of(const std::vector<CarPathPoint>& plan) {
@@ -48,9 +58,9 @@ CarDriver::CarDriver(const Simulation& simulation, const NamedPath& path,
       body_(body_of(simulation.robot())),
       ends_(path.points.size(), 0) {
   CHECK(path_.points.size() >= 2);
-  const std::size_t reached = plan(axle(), {});
-  if (reached < path_.points.size()) {
-    const Vector2d& to = path_.points[reached].position;
+  if (plan_anew({})) plan_on(path_.points.size());
+  if (planned_ < path_.points.size()) {
+    const Vector2d& to = path_.points[planned_].position;
     throw InputError(fmt::format(
         "robot '{}' finds no way along path '{}' to ({:.2f} m, {:.2f} m) that its turning circle "
         "of {:.2f} m allows; take another path, a smaller driver.margin or another robot",
@@ -73,28 +83,46 @@ Pose2 CarDriver::axle() const {
   return simulation_.now().robot * Pose2{-body_.ahead, 0.0, 0.0};
 }
 
-std::size_t CarDriver::plan(const Pose2& world_from_axle, std::span<const Obstacle> people) {
-  std::vector<CarPathPoint> all;
-  std::size_t leg = leg_;
-  for (Pose2 from = world_from_axle; leg < path_.points.size(); ++leg, people = {}) {
-    const auto way =
-        plan_car_path(simulation_.navigation_map(), body_, from, path_.points[leg].position, people,
-                      {.margin = options_.margin, .people_margin = options_.people_margin});
-    if (!way) return leg;
-    all.insert(all.end(), way->begin(), way->end());
-    ends_[leg] = all.size() - 1;
-    from = way->back().pose;
+bool CarDriver::plan_anew(std::span<const Obstacle> people) {
+  auto way = plan_car_path(simulation_.navigation_map(), body_, axle(), path_.points[leg_].position,
+                           people, path_options(options_, people));
+  if (!way) return false;
+  plan_.resize(plan_.empty() ? 0 : at_ + 1);  // what it has driven stays
+  at_ = plan_.size();
+  planned_ = leg_;
+  append(*way);
+  plan_on(leg_ + 2);
+  return true;
+}
+
+void CarDriver::append(const std::vector<CarPathPoint>& way_to_next) {
+  plan_.insert(plan_.end(), way_to_next.begin(), way_to_next.end());
+  ends_[planned_++] = plan_.size() - 1;
+  is_dead_end_ = false;
+}
+
+void CarDriver::plan_on(std::size_t end) {
+  while (!is_dead_end_ && planned_ < std::min(end, path_.points.size())) {
+    const auto way = plan_car_path(simulation_.navigation_map(), body_, plan_.back().pose,
+                                   path_.points[planned_].position, {}, path_options(options_, {}));
+    if (way) append(*way);
+    is_dead_end_ = !way;
   }
-  plan_ = std::move(all);
-  at_ = 0;
-  return leg;
+}
+
+void CarDriver::try_plan(double time, std::span<const Obstacle> people) {
+  if (time < plan_after_) return;
+  const double least = std::max(options_.patience, kDecideEvery);
+  const bool is_planned = plan_anew(people);
+  plan_pause_ = is_planned ? least : std::clamp(2.0 * plan_pause_, least, kLongestPause);
+  plan_after_ = time + plan_pause_;
 }
 
 std::size_t CarDriver::end_of_stretch() const {
   std::size_t end = at_;
   std::size_t leg = leg_;
   while (end + 1 < plan_.size() && plan_[end + 1].backwards == plan_[at_].backwards) {
-    while (leg + 1 < path_.points.size() && end > ends_[leg]) ++leg;
+    while (leg + 1 < planned_ && end > ends_[leg]) ++leg;
     if (end == ends_[leg] && path_.points[leg].pause > 0.0) break;
     ++end;
   }
@@ -106,7 +134,8 @@ void CarDriver::follow_progress() {
   const std::size_t end = end_of_stretch();
   const auto distance = [&](std::size_t i) { return (plan_[i].pose.position() - here).norm(); };
   while (at_ < end && distance(at_ + 1) <= distance(at_)) ++at_;
-  while (leg_ + 1 < path_.points.size() && at_ > ends_[leg_]) ++leg_;
+  while (leg_ + 1 < planned_ && at_ > ends_[leg_]) ++leg_;
+  plan_on(leg_ + 2);
 }
 
 bool CarDriver::is_free_of_people() const {
@@ -161,14 +190,50 @@ DriveCommand CarDriver::pursue() const {
   return {.forward_velocity = speed, .turn_velocity = curvature * speed};
 }
 
-// Somebody is in the way: waits, then looks for a way round.
+// Back the way it came, as far as that is free, and on again from there; once at each place, so
+// that who stays in its way is told in the end.
+void CarDriver::make_room() {
+  const std::size_t here = at_;
+  std::size_t back = here;
+  double way = 0.0;
+  while (back > 0 && way < kRetreat && plan_[back - 1].backwards == plan_[here].backwards) {
+    if (!is_free_of(simulation_.obstacles(), kNearerThanPlanned * options_.people_margin, body_,
+                    plan_[back - 1].pose)) {
+      break;
+    }
+    --back;
+    way += (plan_[back + 1].pose.position() - plan_[back].pose.position()).norm();
+  }
+  if (back == here) return;
+  std::vector<CarPathPoint> there_and_back;
+  for (std::size_t i = here + 1; i-- > back;) {
+    there_and_back.push_back({plan_[i].pose, !plan_[i].backwards});
+  }
+  for (std::size_t i = back + 1; i <= here; ++i) there_and_back.push_back(plan_[i]);
+  at_ = here + 1;
+  made_room_at_ = here + there_and_back.size();
+  plan_.insert(plan_.begin() + static_cast<std::ptrdiff_t>(here + 1), there_and_back.begin(),
+               there_and_back.end());
+  for (std::size_t leg = leg_; leg < planned_; ++leg) ends_[leg] += there_and_back.size();
+}
+
+// Somebody is in the way: waits, then looks for a way round, then makes room.
 DriveCommand CarDriver::give_way(double time) {
   if (wait_since_ < 0.0) wait_since_ = time;
-  if (time - wait_since_ >= options_.patience) {
+  const double waited = time - wait_since_;
+  if (waited >= options_.patience) try_plan(time, simulation_.obstacles());
+  if (waited >= kStandOff * options_.patience && at_ > made_room_at_) {
+    make_room();
     wait_since_ = -1.0;
-    plan(axle(), simulation_.obstacles());
   }
   return {};
+}
+
+// The plan did not get further than this way-point: perhaps there is a way from where it is.
+void CarDriver::go_on_from_dead_end(double time) {
+  leg_ = planned_;
+  ends_[leg_] = plan_.size();  // none of its points
+  try_plan(time, simulation_.obstacles());
 }
 
 DriveCommand CarDriver::command(double time) {
@@ -185,12 +250,14 @@ DriveCommand CarDriver::command(double time) {
     if (end == ends_[leg_] && path_.points[leg_].pause > 0.0) {
       pause_until_ = time + path_.points[leg_].pause;
     }
-    is_done_ = end + 1 == plan_.size();
-    if (!is_done_) ++at_;
+    const bool is_planned_end = end + 1 == plan_.size();
+    is_done_ = is_planned_end && planned_ == path_.points.size();
+    if (!is_planned_end) ++at_;
+    if (is_planned_end && !is_done_) go_on_from_dead_end(time);
     return last_ = {};
   }
   // Pushed off its path; where there is no way on from here either, it stays on what it has.
-  if ((plan_[at_].pose.position() - here.position()).norm() > kOffPath) plan(here, {});
+  if ((plan_[at_].pose.position() - here.position()).norm() > kOffPath) try_plan(time, {});
   if (!is_free_of_people()) return last_ = give_way(time);
   wait_since_ = -1.0;
   return last_ = pursue();

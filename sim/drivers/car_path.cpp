@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <queue>
-#include <set>
-#include <tuple>
+#include <unordered_set>
+
+#include <Eigen/Geometry>
 
 #include "core/geometry/angle.h"
 
@@ -35,28 +37,27 @@ class Discs {
     }
   }
 
+  const std::vector<Vector2d>& centers() const { return centers_; }  // in the axle's frame
   double radius() const { return radius_; }
 
-  // [m] between the body and the nearest wall; negative: they may touch.
-  double room(const NavigationMap& map, const Pose2& axle) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Vector2d& center : centers_) least = std::min(least, map.clearance(axle * center));
-    return least - std::min(radius_, 0.9 * NavigationMap::kReach);  // the map sees no further
-  }
+  // [m] of what the map sees: what is nearer than that to a disc's centre touches it.
+  double radius_in_map() const { return std::min(radius_, 0.9 * NavigationMap::kReach); }
 
   bool is_free_of(std::span<const Obstacle> people, double margin, const Pose2& axle) const {
     for (const Obstacle& person : people) {
+      if (!person.is_disc()) continue;
+      const Vector2d place = inverse(axle) * person.pose.position();
+      const double keep = radius_ + person.radius + margin;
       for (const Vector2d& center : centers_) {
-        const double distance = (axle * center - person.pose.position()).norm();
-        if (person.is_disc() && distance < radius_ + person.radius + margin) return false;
+        if ((center - place).squaredNorm() < keep * keep) return false;
       }
     }
     return true;
   }
 
  private:
-  std::vector<Vector2d> centers_;  // in the axle's frame
-  double radius_ = 0.0;            // [m]
+  std::vector<Vector2d> centers_;
+  double radius_ = 0.0;  // [m]
 };
 
 // Price of a metre with so much room beside the body.
@@ -95,62 +96,112 @@ Pose2 moved(const Pose2& pose, double curvature, double distance) {
   return pose * Pose2{chord * std::cos(turn / 2.0), chord * std::sin(turn / 2.0), turn};
 }
 
+// A move of the search, as the axle sees it where it begins.
+struct Arc {
+  double curvature = 0.0;  // of the largest, -1 to 1
+  bool backwards = false;
+  std::vector<Pose2> poses;       // on it, the last one where it ends
+  std::vector<Vector2d> centers;  // of the body's discs, pose after pose
+};
+
+std::vector<Arc> arcs_of(const CarBody& body, const Discs& discs, double length) {
+  const int count = static_cast<int>(std::ceil(length / kSpacing));
+  std::vector<Arc> arcs;
+  for (const bool backwards : {false, true}) {
+    for (const double curvature : kCurvatures) {
+      Arc arc{.curvature = curvature, .backwards = backwards, .poses = {}, .centers = {}};
+      for (int i = 1; i <= count; ++i) {
+        const double distance = (backwards ? -length : length) * i / count;
+        arc.poses.push_back(moved({}, curvature / body.turning_radius, distance));
+        for (const Vector2d& center : discs.centers()) {
+          arc.centers.push_back(arc.poses.back() * center);
+        }
+      }
+      arcs.push_back(std::move(arc));
+    }
+  }
+  return arcs;
+}
+
+// Somebody, and what the middle of a disc of the body keeps from him. [m]
+struct Person {
+  Vector2d place;
+  double keep;
+};
+
+// The margin; less from those who are nearer already.
+std::vector<Person> people_around(std::span<const Obstacle> people, const Discs& discs,
+                                  const Pose2& start, double margin) {
+  std::vector<Person> result;
+  for (const Obstacle& person : people) {
+    if (!person.is_disc()) continue;
+    const Vector2d place = person.pose.position();
+    const double touching = discs.radius() + person.radius;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vector2d& center : discs.centers()) {
+      nearest = std::min(nearest, (start * center - place).norm());
+    }
+    result.push_back({place, touching + std::clamp(nearest - touching, 0.0, margin)});
+  }
+  return result;
+}
+
 struct Node {
   Pose2 pose;  // world_from_axle
   double cost = 0.0;
   int parent = -1;
-  int curvature = 2;  // of kCurvatures, how it was reached
-  bool backwards = false;
+  int arc = -1;  // by which it was reached; -1: the start
 };
 
 class Search {
  public:
   Search(const NavigationMap& map, const CarBody& body, std::span<const Obstacle> people,
-         const CarPathOptions& options, WayLeft way_left)
+         const CarPathOptions& options, WayLeft way_left, const Pose2& start)
       : map_(map),
         body_(body),
-        people_(people),
         options_(options),
         discs_(body),
+        people_(people_around(people, discs_, start, options.people_margin)),
         way_left_(std::move(way_left)),
         cell_(std::clamp(body.turning_radius / 3.0, 0.15, 0.6)),
-        samples_(static_cast<int>(std::ceil(1.5 * cell_ / kSpacing))) {}
-
-  std::optional<std::vector<CarPathPoint>> path(const Pose2& start, const Vector2d& goal) {
-    options_.margin = std::clamp(discs_.room(map_, start), 0.0, options_.margin);
+        length_(1.5 * cell_),
+        arcs_(arcs_of(body, discs_, length_)) {
+    for (const Vector2d& center : discs_.centers()) {
+      const double room = map.clearance(start * center) - discs_.radius_in_map();
+      options_.margin = std::clamp(room, 0.0, options_.margin);
+    }
     open(Node{.pose = start});
+  }
+
+  std::optional<std::vector<CarPathPoint>> path(const Vector2d& goal) {
     while (!queue_.empty() && static_cast<int>(nodes_.size()) < options_.most_places) {
-      const int at = std::get<1>(queue_.top());
+      const int at = queue_.top().second;
       queue_.pop();
       const Node node = nodes_[static_cast<std::size_t>(at)];
       if (!closed_.insert(place_of(node)).second) continue;
       if ((middle(node.pose) - goal).norm() < options_.tolerance) return traced(at);
-      for (const bool backwards : {false, true}) {
-        for (int k = 0; k < static_cast<int>(kCurvatures.size()); ++k) try_move(at, k, backwards);
+      const Eigen::Matrix2d turn = Eigen::Rotation2Dd(node.pose.theta).toRotationMatrix();
+      for (int arc = 0; arc < static_cast<int>(arcs_.size()); ++arc) {
+        try_move(at, node, turn, arc);
       }
     }
     return std::nullopt;
   }
 
  private:
-  using Place = std::tuple<int, int, int, bool>;
-
   Vector2d middle(const Pose2& axle) const { return axle * Vector2d(body_.ahead, 0.0); }
+  const Arc& arc(int number) const { return arcs_[static_cast<std::size_t>(number)]; }
+  bool is_backwards(const Node& node) const { return node.arc >= 0 && arc(node.arc).backwards; }
 
-  double curvature(int k) const {
-    return kCurvatures[static_cast<std::size_t>(k)] / body_.turning_radius;
-  }
-
-  Pose2 sample(const Pose2& from, int k, bool backwards, int i) const {
-    const double step = (backwards ? -1.5 : 1.5) * cell_ / samples_;
-    return moved(from, curvature(k), i * step);
-  }
-
-  Place place_of(const Node& node) const {
-    const double turns = node.pose.theta / (2.0 * kPi) * kHeadings;
-    const int heading = (static_cast<int>(std::lround(turns)) + kHeadings) % kHeadings;
-    return {static_cast<int>(std::floor(node.pose.x / cell_)),
-            static_cast<int>(std::floor(node.pose.y / cell_)), heading, node.backwards};
+  // A cell of the floor, a heading and a direction.
+  std::uint64_t place_of(const Node& node) const {
+    const auto turns = std::lround(node.pose.theta / (2.0 * kPi) * kHeadings);
+    const auto heading = static_cast<std::uint64_t>((turns + kHeadings) % kHeadings);
+    const auto row = [&](double x) {
+      return static_cast<std::uint64_t>(std::lround(std::floor(x / cell_)) + (1 << 27)) & 0xfffffff;
+    };
+    return row(node.pose.x) << 36 | row(node.pose.y) << 8 | heading << 1 |
+           static_cast<std::uint64_t>(is_backwards(node));
   }
 
   void open(const Node& node) {
@@ -159,21 +210,34 @@ class Search {
     nodes_.push_back(node);
   }
 
-  void try_move(int from, int k, bool backwards) {
-    const Node& last = nodes_[static_cast<std::size_t>(from)];
-    Node next{.cost = last.cost, .parent = from, .curvature = k, .backwards = backwards};
-    const double length = 1.5 * cell_ / samples_ * (backwards ? kBackwards : 1.0);
-    for (int i = 1; i <= samples_; ++i) {
-      next.pose = sample(last.pose, k, backwards, i);
-      const double room = discs_.room(map_, next.pose);
-      if (room < options_.margin) return;
-      next.cost += length * price_of(room);
+  // [m] beside a disc of the body, at most kReach; negative where it touches.
+  double room_at(const Vector2d& center) const {
+    for (const Person& person : people_) {
+      if ((center - person.place).squaredNorm() < person.keep * person.keep) return -1.0;
     }
-    if (!discs_.is_free_of(people_, options_.people_margin, next.pose)) return;
-    if (last.parent >= 0 && last.backwards != backwards) next.cost += kGearChange;
-    next.cost += kSteering * std::abs(kCurvatures[static_cast<std::size_t>(k)] -
-                                      kCurvatures[static_cast<std::size_t>(last.curvature)]);
-    if (!closed_.contains(place_of(next))) open(next);
+    return map_.clearance(center) - discs_.radius_in_map();
+  }
+
+  void try_move(int from, const Node& last, const Eigen::Matrix2d& turn, int number) {
+    const Arc& move = arc(number);
+    const std::size_t discs = discs_.centers().size();
+    const double price =
+        length_ / static_cast<double>(move.poses.size()) * (move.backwards ? kBackwards : 1.0);
+    Node next{
+        .pose = last.pose * move.poses.back(), .cost = last.cost, .parent = from, .arc = number};
+    if (closed_.contains(place_of(next))) return;
+    double room = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < move.centers.size(); ++i) {
+      room = std::min(room, room_at(turn * move.centers[i] + last.pose.position()));
+      if (room < options_.margin) return;
+      if ((i + 1) % discs != 0) continue;  // one more pose is done
+      next.cost += price * price_of(room);
+      room = std::numeric_limits<double>::infinity();
+    }
+    const double before = last.arc < 0 ? 0.0 : arc(last.arc).curvature;
+    if (last.arc >= 0 && is_backwards(last) != move.backwards) next.cost += kGearChange;
+    next.cost += kSteering * std::abs(move.curvature - before);
+    open(next);
   }
 
   std::vector<CarPathPoint> traced(int end) const {
@@ -182,15 +246,13 @@ class Search {
       chain.push_back(at);
     }
     std::reverse(chain.begin(), chain.end());
-    const Node& first = nodes_[static_cast<std::size_t>(chain.front())];
-    const bool begins_backwards =
-        chain.size() > 1 && nodes_[static_cast<std::size_t>(chain[1])].backwards;
-    std::vector<CarPathPoint> path{{first.pose, begins_backwards}};
+    const auto node = [&](std::size_t i) { return nodes_[static_cast<std::size_t>(chain[i])]; };
+    const bool begins_backwards = chain.size() > 1 && is_backwards(node(1));
+    std::vector<CarPathPoint> path{{node(0).pose, begins_backwards}};
     for (std::size_t i = 1; i < chain.size(); ++i) {
-      const Pose2 from = nodes_[static_cast<std::size_t>(chain[i - 1])].pose;
-      const Node& node = nodes_[static_cast<std::size_t>(chain[i])];
-      for (int s = 1; s <= samples_; ++s) {
-        path.push_back({sample(from, node.curvature, node.backwards, s), node.backwards});
+      const Arc& move = arc(node(i).arc);
+      for (const Pose2& pose : move.poses) {
+        path.push_back({node(i - 1).pose * pose, move.backwards});
       }
     }
     return path;
@@ -198,14 +260,15 @@ class Search {
 
   const NavigationMap& map_;
   CarBody body_;
-  std::span<const Obstacle> people_;
   CarPathOptions options_;
   Discs discs_;
+  std::vector<Person> people_;
   WayLeft way_left_;
-  double cell_;  // [m] side of what counts as one place
-  int samples_;  // of a move
+  double cell_;    // [m] side of what counts as one place
+  double length_;  // [m] of a move
+  std::vector<Arc> arcs_;
   std::vector<Node> nodes_;
-  std::set<Place> closed_;
+  std::unordered_set<std::uint64_t> closed_;
   using Entry = std::pair<double, int>;  // cost and heuristic; node
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
@@ -225,7 +288,7 @@ std::optional<std::vector<CarPathPoint>> plan_car_path(const NavigationMap& map,
   const Vector2d from = start * Vector2d(body.ahead, 0.0);
   auto way = map.way(from, goal, body.width / 2.0);
   if (!way) return std::nullopt;
-  return Search(map, body, people, options, WayLeft(std::move(*way))).path(start, goal);
+  return Search(map, body, people, options, WayLeft(std::move(*way)), start).path(goal);
 }
 
 }  // namespace mapbed

@@ -37,7 +37,7 @@ bool goes_sideways(DriveKind drive) {
 
 const std::vector<DriverKind>& driver_kinds() {
   static const std::vector<DriverKind> kinds = {
-      kind<ScriptedDriver, ScriptedDriverOptions>(
+      kind<ScriptedDriver, PathFollowingOptions>(
           "scripted", "follows a path as a careful operator would, who sees robot and people",
           turns_on_the_spot),
       kind<OmniDriver, OmniDriverOptions>(

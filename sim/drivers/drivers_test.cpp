@@ -1,6 +1,7 @@
 #include "sim/drivers/drivers.h"
 
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
 #include "core/random.h"
+#include "sim/recorder.h"
 #include "sim/testing/small_world.h"
 
 namespace mapbed {
@@ -162,6 +164,49 @@ TEST(CarDriver, WaitsForSomebodyAndPlansAroundHim) {
   }
   EXPECT_TRUE(driver->is_done());
   EXPECT_LT(least, 2.0);  // it went past
+}
+
+// A corridor of 1.4 m, with somebody in its middle: 45 cm are left on either side of him.
+TEST(CarDriver, WhoStaysInItsWayIsToldAfterItMadeRoomOnce) {
+  World world = small_room(9.0, 1.4);
+  world.paths = {{.name = "along", .points = {{{1.0, 0.7}}, {{8.0, 0.7}}}}};
+  world.crowd.places = {{.position = {5.0, 0.7}, .radius = 0.01}};
+  Robot car = robot_with(DriveKind::ackermann);
+  car.odometry.rate = 10.0;
+  const Rng rng(3);
+  Simulation simulation(world, car, start_of(world.paths[0]),
+                        {.actors = {.people = {.standing = 1}}}, rng);
+  const auto driver = configure_driver("car").make(simulation, world.paths[0]);
+  double farthest = 0.0, back = 0.0;  // [m]
+  const RecordingSink sink{.reading = [&](const IdealReading& reading) {
+    const double x = std::get<IdealOdometry>(reading).truth.x;
+    farthest = std::max(farthest, x);
+    back = std::max(back, farthest - x);
+  }};
+  const RecordingEnd end =
+      record(simulation, *driver, {.longest = 90.0, .stuck_after = 20.0}, rng, sink);
+  EXPECT_FALSE(end.is_complete);
+  EXPECT_THAT(end.stuck, HasSubstr("stuck by somebody at ("));
+  EXPECT_GT(back, 1.0);
+  EXPECT_LT(simulation.now().time,
+            60.0);  // 10 s to get there, 12 s before it makes room, 20 s stuck
+}
+
+// Somebody stands on the goal in a large room: every search for a way round is in vain, and takes
+// milliseconds. Without patience it would search at each of its 160 decisions.
+TEST(CarDriver, LooksForAWayRoundTheLessOftenTheLongerThereIsNone) {
+  World world = small_room(25.0, 25.0);
+  world.paths = {{.name = "along", .points = {{{21.0, 12.5}}, {{22.5, 12.5}}}}};
+  world.crowd.places = {{.position = {22.5, 12.5}, .radius = 0.01}};
+  const Rng rng(3);
+  Simulation simulation(world, robot_with(DriveKind::ackermann), start_of(world.paths[0]),
+                        {.actors = {.people = {.standing = 1}}}, rng);
+  const auto driver =
+      configure_driver("car", {parse_setting("patience=0 s")}).make(simulation, world.paths[0]);
+  const std::clock_t begin = std::clock();
+  while (simulation.now().time < 8.0) simulation.step(driver->command(simulation.now().time));
+  EXPECT_FALSE(driver->is_done());
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 2.0);
 }
 
 TEST(Drivers, EachDriveHasAUsualDriverThatCanDriveIt) {

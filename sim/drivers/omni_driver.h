@@ -4,14 +4,14 @@
 
 namespace mapbed {
 
-struct OmniDriverOptions : ScriptedDriverOptions {
+struct OmniDriverOptions : PathFollowingOptions {
   bool faces_way = false;   // turns to where it drives; else it keeps its heading
   double turn_speed = 0.5;  // [rad/s] at most, while it does
 };
 
 template <class Visitor>
 void visit_fields(OmniDriverOptions& o, Visitor&& visit) {
-  visit_fields(static_cast<ScriptedDriverOptions&>(o), visit);
+  visit_fields(static_cast<PathFollowingOptions&>(o), visit);
   visit("faces_way", o.faces_way, "turns to where it drives; no: it keeps its heading");
   visit("turn_speed", o.turn_speed, Unit::radian_per_second, between(0.001, 100.0),
         "fastest turn, where it faces its way");

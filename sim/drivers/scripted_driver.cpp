@@ -28,7 +28,7 @@ double distance_to_way(const Vector2d& point, const Vector2d& from, const Vector
 }  // namespace
 
 ScriptedDriver::ScriptedDriver(const Simulation& simulation, const NamedPath& path,
-                               const ScriptedDriverOptions& options)
+                               const PathFollowingOptions& options)
     : simulation_(simulation), path_(path), options_(options) {
   CHECK(path_.points.size() >= 2);
 }

@@ -1,31 +1,10 @@
 #pragma once
 
-#include "core/config/option.h"
 #include "core/driver.h"
+#include "sim/drivers/path_following.h"
 #include "sim/simulation.h"
 
 namespace mapbed {
-
-struct ScriptedDriverOptions {
-  double speed = 0.4;           // [m/s] where the path does not say
-  double look_ahead = 0.6;      // [m] the point of the path that is steered for
-  double margin = 0.12;         // [m] kept from walls
-  double people_margin = 0.25;  // [m] kept from people
-  double patience = 3.0;        // [s] waits for somebody in the way, then goes round
-};
-
-template <class Visitor>
-void visit_fields(ScriptedDriverOptions& o, Visitor&& visit) {
-  visit("speed", o.speed, Unit::meter_per_second, between(0.001, 100.0),
-        "where the path does not say");
-  visit("look_ahead", o.look_ahead, Unit::meter, between(0.01, 100.0),
-        "how far ahead it steers for");
-  visit("margin", o.margin, Unit::meter, between(0.0, 10.0), "distance kept from walls");
-  visit("people_margin", o.people_margin, Unit::meter, between(0.0, 10.0),
-        "distance kept from people");
-  visit("patience", o.patience, Unit::second, kNotNegative,
-        "waits this long for somebody in the way, then goes round");
-}
 
 // Follows a named path of the world as a careful operator would, who sees robot and people: slows
 // down at corners, waits for people in the way, and where they stay goes round them if there is
@@ -33,7 +12,7 @@ void visit_fields(ScriptedDriverOptions& o, Visitor&& visit) {
 class ScriptedDriver : public Driver {
  public:
   ScriptedDriver(const Simulation& simulation, const NamedPath& path,
-                 const ScriptedDriverOptions& options = {});
+                 const PathFollowingOptions& options = {});
 
   void add(const Measurement& /*measurement*/) override {}
   DriveCommand command(double time) override;
@@ -61,7 +40,7 @@ class ScriptedDriver : public Driver {
 
   const Simulation& simulation_;
   NamedPath path_;
-  ScriptedDriverOptions options_;
+  PathFollowingOptions options_;
   std::size_t leg_ = 1;          // on the way to this way-point
   double progress_ = 0.0;        // [m] along that leg
   double pause_until_ = -1.0;    // [s]
