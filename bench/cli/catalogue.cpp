@@ -8,6 +8,7 @@
 #include "algorithms/grid/map_builder.h"
 #include "algorithms/input/geometry_check.h"
 #include "algorithms/methods.h"
+#include "bench/cli/describe/file_text.h"
 #include "bench/cli/describe/words.h"
 #include "bench/cli/describe/world_text.h"
 #include "bench/experiments/experiment.h"
@@ -22,7 +23,7 @@
 #include "core/log/log_formats.h"
 #include "core/log/log_options.h"
 #include "robots/robot.h"
-#include "robots/specification.h"
+#include "robots/sensor_model.h"
 #include "sim/drivers/drivers.h"
 #include "sim/render/render_world.h"
 #include "worlds/worlds.h"
@@ -76,43 +77,21 @@ std::vector<CatalogueEntry> world_entries() {
   return entries;
 }
 
-// "…; source: …", where the file does not say it in a word the file itself.
-std::string with_source(const std::string& specification, const std::string& source,
-                        const std::string& file) {
-  return specification + "; source: " + (source.empty() ? "comments of " + file : source);
-}
-
 std::vector<CatalogueEntry> robot_entries() {
   std::vector<CatalogueEntry> entries;
   for (const std::string& name : robot_names()) {
-    const Robot loaded = load_robot(name);
-    entries.push_back(
-        {name, loaded.about,
-         [name] {
-           Robot robot = load_robot(name);
-           return to_yaml(options_of(robot));
-         },
-         with_source(specification(loaded), loaded.source, "robots/" + name + ".yaml")});
+    entries.push_back({name, load_robot(name).about, [name] { return text_of_robot(name).text; },
+                       promise_of_robot(name)});
   }
   return entries;
-}
-
-std::string about_of(const SensorModel& sensor) {
-  return std::visit([](const auto& model) { return model.about; }, sensor);
 }
 
 std::vector<CatalogueEntry> sensor_entries() {
   std::vector<CatalogueEntry> entries;
   for (const std::string& name : sensor_names()) {
-    const SensorModel loaded = load_sensor(name);
-    const std::string source = std::visit([](const auto& s) { return s.source; }, loaded);
-    entries.push_back(
-        {name, about_of(loaded),
-         [name] {
-           SensorModel sensor = load_sensor(name);
-           return std::visit([](auto& s) { return to_yaml(options_of(s)); }, sensor);
-         },
-         with_source(specification(loaded), source, "robots/sensors/" + name + ".yaml")});
+    const SensorModel sensor = load_sensor(name);
+    entries.push_back({name, std::visit([](const auto& model) { return model.about; }, sensor),
+                       [name] { return text_of_sensor(name).text; }, promise_of_sensor(name)});
   }
   return entries;
 }

@@ -22,6 +22,15 @@ std::optional<FileText> text_of_yaml(const std::string& path);
 // with such a file beside it.
 FileText text_of_map(const std::string& path);
 
+// What a sensor or robot promises, in one line, and which document that is from: what its file says
+// as `source`, else the file itself.
+std::string promise_of_sensor(const std::string& name_or_path);
+std::string promise_of_robot(const std::string& name_or_path);
+
+// That, and the options.
+FileText text_of_sensor(const std::string& name_or_path);
+FileText text_of_robot(const std::string& name_or_path);
+
 // What a config.yaml of results belongs to: the scenario, its runs, claims and version.
 FileText text_of_results(const std::string& folder);
 

@@ -58,18 +58,38 @@ FileText text_of_scenario(const std::string& path) {
   return {"scenario", text};
 }
 
-FileText text_of_robot(const std::string& path) {
-  Robot robot = load_robot(path);
-  return {"robot", "specification: " + specification(robot) + "\n" + to_yaml(options_of(robot))};
+std::string with_source(const std::string& promise, const std::string& source,
+                        const std::string& file) {
+  return promise + "; source: " + (source.empty() ? "comments of " + file : source);
 }
 
-FileText text_of_sensor(const std::string& path) {
-  SensorModel sensor = load_sensor(path);
-  return {"sensor", "specification: " + specification(sensor) + "\n" +
-                        std::visit([](auto& s) { return to_yaml(options_of(s)); }, sensor)};
+std::string source_of(const SensorModel& sensor) {
+  return std::visit([](const auto& model) { return model.source; }, sensor);
 }
 
 }  // namespace
+
+std::string promise_of_sensor(const std::string& name_or_path) {
+  const SensorModel sensor = load_sensor(name_or_path);
+  return with_source(specification(sensor), source_of(sensor), "the sensor's file");
+}
+
+std::string promise_of_robot(const std::string& name_or_path) {
+  const Robot robot = load_robot(name_or_path);
+  return with_source(specification(robot), robot.source, "the robot's file");
+}
+
+FileText text_of_sensor(const std::string& name_or_path) {
+  SensorModel sensor = load_sensor(name_or_path);
+  return {"sensor", "specification: " + promise_of_sensor(name_or_path) + "\n" +
+                        std::visit([](auto& model) { return to_yaml(options_of(model)); }, sensor)};
+}
+
+FileText text_of_robot(const std::string& name_or_path) {
+  Robot robot = load_robot(name_or_path);
+  return {"robot",
+          "specification: " + promise_of_robot(name_or_path) + "\n" + to_yaml(options_of(robot))};
+}
 
 FileText text_of_map(const std::string& path) {
   const MapServerMap map = read_map_server(path);
