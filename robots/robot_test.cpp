@@ -250,7 +250,8 @@ TEST(Robot, ALaserThatIsStampedInTheMiddleOfALongSweepIsRefused) {
   const std::string laser =
       "footprint: {radius: 20 cm}\nsensors:\n- {name: a, sensor: sick_lms200, mirror_rate: ";
   EXPECT_THAT(error_of(laser + "40 Hz}\n"),
-              AllOf(HasSubstr(".yaml:3: a sweep of 0.0124"), HasSubstr("take stamp: first_beam")));
+              AllOf(HasSubstr(".yaml:3: a sweep of 12 ms is stamped in its middle"),
+                    HasSubstr("take stamp: first_beam")));
   EXPECT_THAT(error_of(laser + "40 Hz, stamp: first_beam}\n"), HasSubstr("no error"));
   EXPECT_THAT(error_of(laser + "75 Hz}\n"), HasSubstr("no error"));
 }

@@ -1,6 +1,8 @@
 #include "robots/sensor_model.h"
 
+#include <cmath>
 #include <map>
+#include <string>
 
 #include "core/config/config_node.h"
 #include "core/config/quantity.h"
@@ -40,8 +42,8 @@ void check(const LaserModel& laser, const SourceLocation& place) {
   if (laser.stamp == SweepStamp::middle && laser.beam_period() > 0.0 &&
       laser.sweep_time() > kOneInstant) {
     throw InputError(place,
-                     "a sweep of " + quantity_text(laser.sweep_time(), Unit::second) +
-                         " is stamped in its middle, and its beams are taken from the stamp on",
+                     "a sweep of " + std::to_string(std::lround(1e3 * laser.sweep_time())) +
+                         " ms is stamped in its middle, and its beams are taken from the stamp on",
                      "take stamp: first_beam, or raise mirror_rate");
   }
 }
