@@ -84,7 +84,9 @@ class Estimator {
   virtual Pose2 pose() const = 0;         // map_from_robot now; cheap
   virtual Estimate estimate() const = 0;  // the whole path, as it is believed now
 
-  // For pictures on the way, where a whole estimate would cost too much.
+  // For pictures on the way, where a whole estimate would cost too much: its trajectory without
+  // what is left for the end, as refinement is, and what else is held possible.
+  virtual Trajectory path_so_far() const { return estimate().trajectory; }
   virtual Hypotheses hypotheses() const { return {}; }
 };
 

@@ -18,6 +18,7 @@ class FilteredEstimator : public Estimator {
   void finish() override { method_->finish(); }
   Pose2 pose() const override { return method_->pose(); }
   Estimate estimate() const override;
+  Trajectory path_so_far() const override { return method_->path_so_far(); }
   Hypotheses hypotheses() const override { return method_->hypotheses(); }
 
  private:

@@ -52,6 +52,7 @@ class DynamicEm : public Estimator {
   void finish() override;
   Pose2 pose() const override { return method_->pose(); }
   Estimate estimate() const override;
+  Trajectory path_so_far() const override { return method_->path_so_far(); }
   Hypotheses hypotheses() const override { return method_->hypotheses(); }
 
  private:

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "algorithms/grid/map_image.h"
+#include "core/file/atomic_file.h"
+#include "core/image/pgm.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -117,8 +119,8 @@ OccupancyMap occupancy_map_of(const MapServerMap& map) {
   return result;
 }
 
-void write_map(const std::string& stem, const OccupancyMap& map, MapServerMode mode) {
-  const CellBox box = image_box(map, stem);
+MapText map_text(const OccupancyMap& map, const std::string& image, MapServerMode mode) {
+  const CellBox box = image_box(map, image);
   GrayImage greys(box.width(), box.height());
   auto pixel = greys.pixels().begin();
   for (int y = box.max.y; y >= box.min.y; --y) {
@@ -127,10 +129,16 @@ void write_map(const std::string& stem, const OccupancyMap& map, MapServerMode m
     }
   }
   const Eigen::Vector2d corner = map.frame().corner_of(box.min);
-  write_map_server(stem, greys,
-                   {.resolution = map.resolution(),
-                    .map_from_image = {corner.x(), corner.y(), 0.0},
-                    .mode = mode});
+  return {pgm_of(greys), map_server_yaml(image, {.resolution = map.resolution(),
+                                                 .map_from_image = {corner.x(), corner.y(), 0.0},
+                                                 .mode = mode})};
+}
+
+void write_map(const std::string& stem, const OccupancyMap& map, MapServerMode mode) {
+  const std::string picture = stem + ".pgm";
+  const MapText text = map_text(map, fs::path(picture).filename().string(), mode);
+  write_file(picture, text.pgm);
+  write_file(stem + ".yaml", text.yaml);
 }
 
 OccupancyMap read_map(const std::string& path, std::optional<double> resolution) {

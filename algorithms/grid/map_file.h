@@ -16,6 +16,14 @@ namespace mapbed {
 void write_map(const std::string& stem, const OccupancyMap& map,
                MapServerMode mode = MapServerMode::trinary);
 
+// The same as texts, for files that are written together with others.
+struct MapText {
+  std::string pgm;
+  std::string yaml;  // that says where the file `image` lies
+};
+MapText map_text(const OccupancyMap& map, const std::string& image,
+                 MapServerMode mode = MapServerMode::trinary);
+
 // A map from NAME.yaml, or from a picture as to_image() draws it, which keeps how likely a cell is
 // occupied. The picture lies where the NAME.yaml beside it says, or its cells are `resolution` [m]
 // wide and begin at the origin; a picture that this file itself names is read as the file says.

@@ -272,6 +272,11 @@ std::vector<const HistoryNode*> GridSlam::pasts() const {
   return result;
 }
 
+Trajectory GridSlam::path_so_far() const {
+  if (particles_.empty()) return {};
+  return carried_trajectory(track(), path_of(*best().history));
+}
+
 Hypotheses GridSlam::hypotheses() const {
   return {branches_of(pasts(), updates_), diversity_of(pasts(), updates_)};
 }

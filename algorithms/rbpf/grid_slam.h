@@ -40,6 +40,7 @@ class GridSlam : public Estimator {
   Pose2 pose() const override;
   Estimate estimate() const override;
 
+  Trajectory path_so_far() const override;
   Hypotheses hypotheses() const override;
 
   // What the particles were told of their motion from an update to the last scan before the next

@@ -19,10 +19,9 @@
 #include "bench/process/stopwatch.h"
 #include "bench/process/thread_limit.h"
 #include "bench/scenario/publication.h"
-#include "core/data_path.h"
+#include "bench/sources/chosen_log.h"
 #include "core/file/atomic_file.h"
 #include "core/input_error.h"
-#include "core/log/log_description.h"
 
 namespace mapbed {
 namespace {
@@ -56,37 +55,6 @@ Settings settings_from(const MapArguments& arguments) {
   add("map.resolution", "--resolution", arguments.resolution);
   add("seed", "--seed", arguments.seed);
   return settings;
-}
-
-// A log, and what is known of its sensors beyond what it says itself.
-struct ChosenLog {
-  std::string path;
-  LogOptions options;
-  std::string sha256 = {};  // of the file before it is read; empty for a pipe
-};
-
-// The name of a log in scenarios/logs, and not a path. A folder of that name, as of earlier
-// results, is in nobody's way.
-bool is_name_of_log(const std::string& log) {
-  if (log.find_first_of("/.") != std::string::npos) return false;
-  if (!fs::exists(log)) return true;
-  const std::vector<std::string> names = data_names("scenarios/logs");
-  return fs::is_directory(log) && std::find(names.begin(), names.end(), log) != names.end();
-}
-
-// By its path, by the path of its description (.yaml), or by its name.
-ChosenLog chosen_log(const std::string& log) {
-  std::string description = log;
-  if (is_name_of_log(log)) {
-    description = find_data_file("log", "scenarios/logs", log).string();
-  }
-  if (!description.ends_with(".yaml")) {
-    return {log, {}, fs::is_regular_file(log) ? input_file(log).sha256 : ""};
-  }
-  const LogDescription found = load_log_description(description);
-  HashedFiles files;
-  const InputFile file = find_stored(found, found.log, files);
-  return {file.path, found.options, file.sha256};
 }
 
 // "intel.clf.gz" -> "intel", "run.1.log" -> "run.1"

@@ -70,17 +70,11 @@ void tell_changed_files(const std::string& folder, const ScenarioPlan& plan) {
   tell(plan.scenario.path, "the results may be others");
 }
 
-// A quick run is a smaller one: it tells how it came out, in small letters, and gives no verdict.
-std::string verdict_of(const Verdict& claim, bool quick) {
-  if (!claim.judged) return quick ? "quick: not judged" : "not judged";
-  if (quick) return claim.held ? "quick: holds" : "quick: holds not";
-  return claim.held ? "held" : "NOT HELD";
-}
-
 void print_claims(const Results& results) {
   for (const Verdict& claim : results.verdicts) {
-    fmt::print("{:<10} {}\n           {}\n", verdict_of(claim, results.quick), claim.claim,
-               claim.measured);
+    std::string verdict = text_of(claim, results.quick);
+    if (verdict == "not held") verdict = "NOT HELD";
+    fmt::print("{:<10} {}\n           {}\n", verdict, claim.claim, claim.measured);
   }
   if (results.quick && !results.verdicts.empty()) {
     fmt::print("remark: a quick run is no verdict on the claims; the run without --quick is\n");
@@ -108,14 +102,18 @@ bool all_held(const Results& results) {
 }
 
 constexpr const char* kRow = "run.csv";  // marks a folder of one run
+constexpr const char* kConfig = "config.yaml";
 
-// Its row, map, path and pictures; the files of another run that were there go. Foreign ones stay.
-void write_one_run(const std::string& folder, const std::string& row, const RunResult& run) {
-  std::vector<std::string> coming{kRow};
+// Its row, map, path and pictures, and what makes it again; the files of another run that were
+// there go. Foreign ones stay.
+void write_one_run(const std::string& folder, const std::string& row, const std::string& config,
+                   const RunResult& run) {
+  std::vector<std::string> coming{kRow, kConfig};
   for (const ResultFile& file : run.files) coming.push_back(file.path);
   const bool is_ours = std::filesystem::exists(std::filesystem::path(folder) / kRow);
   refuse_foreign(folder, coming, is_ours ? coming : std::vector<std::string>{});
   std::vector<ResultFile> files = run.files;
+  files.push_back({kConfig, config});
   files.push_back({kRow, row});
   write_files(folder, files);
   for (const ResultFile& file : files) fmt::print("written: {}/{}\n", folder, file.path);
@@ -142,7 +140,7 @@ int repeat_one_run(const ScenarioPlan& plan, int number, const std::string& fold
   results.runs.push_back(run.row);
   const std::string row = runs_csv(results);
   fmt::print("{}", row);
-  if (!folder.empty()) write_one_run(folder, row, run);
+  if (!folder.empty()) write_one_run(folder, row, results.config_yaml, run);
   return kDone;
 }
 

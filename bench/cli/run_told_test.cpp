@@ -4,7 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include "algorithms/grid/map_file.h"
 #include "bench/cli/testing/command_test.h"
+#include "core/geometry/tum_file.h"
 
 namespace mapbed {
 namespace {
@@ -40,10 +42,22 @@ TEST_F(RunTold, WritesAllOfOneRunIntoAFolder) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(text("all/runs.csv"),
               HasSubstr(text("one/run.csv").substr(text("one/run.csv").find('\n') + 1)));
-  for (const char* file : {"one/maps/map.png", "one/trajectories/estimate.tum"}) {
+  for (const char* file : {"one/maps/map.png", "one/maps/map.pgm", "one/maps/map.yaml",
+                           "one/trajectories/estimate.tum", "one/config.yaml"}) {
     EXPECT_TRUE(fs::exists(path(file))) << file;
     EXPECT_THAT(outcome.out, HasSubstr(std::string("written: ") + file));
   }
+  EXPECT_FALSE(fs::exists(path("all/maps/map.pgm"))) << "of a single run alone";
+  const OccupancyMap map = read_map(path("one/maps/map.yaml"));
+  const Trajectory drive = load_trajectory(path("one/trajectories/estimate.tum"));
+  ASSERT_FALSE(drive.empty());
+  int free = 0;
+  for (const Stamped<Pose2>& stamped : drive) {
+    const Occupancy& cell = map[map.cell_of(stamped.pose.position())];
+    EXPECT_LE(cell.probability, 0.0F) << "it drove through no wall";
+    free += cell.known() ? 1 : 0;
+  }
+  EXPECT_GT(free, 0) << "and the map lies in the path's frame";
   EXPECT_EQ(run({"--run", "16", "--out", "one"}).status, 0) << "of its own";
   EXPECT_THAT(text("one/run.csv"), HasSubstr("\n16,"));
   fs::remove(path("one/run.csv"));
@@ -69,6 +83,14 @@ TEST_F(RunTold, AQuickRunThatMayJudgeGivesNoVerdictEither) {
   EXPECT_THAT(outcome.out, HasSubstr("quick: holds not largest_error"));
   EXPECT_THAT(outcome.out, HasSubstr("a quick run is no verdict"));
   EXPECT_THAT(outcome.out, ::testing::Not(HasSubstr("HELD")));
+  const std::string page = text("q/report.html");
+  EXPECT_THAT(page, HasSubstr("quick: holds not"));
+  EXPECT_THAT(page, ::testing::Not(HasSubstr("not held")));
+  ASSERT_EQ(call({"report", "."}).status, 0);
+  for (const char* overview : {"report.html", "README.md"}) {
+    EXPECT_THAT(text(overview), HasSubstr("quick: holds not")) << overview;
+    EXPECT_THAT(text(overview), ::testing::Not(HasSubstr("not held"))) << overview;
+  }
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "algorithms/grid/map_file.h"
+#include "algorithms/grid/wall_map.h"
 #include "algorithms/input/input_stage.h"
 #include "bench/experiments/moving_evaluator.h"
 #include "bench/experiments/particle_figures.h"
@@ -11,6 +13,7 @@
 #include "bench/methods/people_filter.h"
 #include "bench/plot/map_picture.h"
 #include "bench/results/replay.h"
+#include "bench/sources/run_viewer.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/png.h"
 #include "sim/recording.h"
@@ -71,6 +74,16 @@ ResultFile picture_file(const RunInput& input, SlamEvaluator& evaluator) {
           png_of(picture_of(evaluator.map(), paths, {.longest_side = 1000}, dynamic))};
 }
 
+// As `mapbed map` writes it, in the frame of the path beside it.
+void add_map_server_files(const RunInput& input, const MapOptions& options, const Trajectory& path,
+                          std::vector<ResultFile>& files) {
+  const OccupancyMap walls = wall_map(input.log, path, options);
+  if (known_box(walls).empty()) return;
+  MapText text = map_text(walls, "map.pgm");
+  files.push_back({"maps/map.pgm", std::move(text.pgm)});
+  files.push_back({"maps/map.yaml", std::move(text.yaml)});
+}
+
 // The run to be watched, in the world's frame.
 ResultFile replay_file(const RunInput& input, const std::string& estimator,
                        const Trajectory& world_from_robot) {
@@ -111,8 +124,10 @@ Watched watched_run(const Setup& setup, const RunInput& input, const SensorLog& 
     if (std::holds_alternative<LaserScan>(measurement)) {
       series.look(time_of(measurement), estimator);
     }
+    if (input.viewer != nullptr) input.viewer->after(measurement, estimator);
   };
   watch.all_added = [&](const Estimator& estimator) { watched.series = series.finish(estimator); };
+  if (input.viewer != nullptr) input.viewer->begins(input, setup.method.name);
   watched.run = run_method(setup.method,
                            {.as_recorded = as_recorded,
                             .prepared = input.log,
@@ -120,6 +135,7 @@ Watched watched_run(const Setup& setup, const RunInput& input, const SensorLog& 
                             .seed = input.seed,
                             .goes_on = input.goes_on},
                            watch);
+  if (input.viewer != nullptr) input.viewer->ends(watched.run.estimate);
   return watched;
 }
 
@@ -169,6 +185,9 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
     outcome.files.push_back(picture_file(input, evaluator));
     const Trajectory& path = evaluator.world_from_robot();
     outcome.files.push_back({"trajectories/estimate.tum", tum_text(path)});
+    if (input.alone) {
+      add_map_server_files(input, setup.options.evaluation.map, path, outcome.files);
+    }
     // What the laser said, as it came.
     const RunInput input_as_recorded = shortened(whole_input, setup.options.longest);
     outcome.files.push_back(replay_file(input_as_recorded, setup.method.name, path));

@@ -84,7 +84,8 @@ std::string short_markdown(const ReportedResults& result) {
                         has_thesis ? " thesis |" : "", has_thesis ? " --- |" : "");
   }
   for (const Verdict& v : result.results.verdicts) {
-    const char* verdict = !v.judged ? "not judged" : v.held ? "held" : "**not held**";
+    std::string verdict = text_of(v, result.results.quick);
+    if (verdict == "not held") verdict = "**not held**";
     text += fmt::format("| {} | {} | {} |", markdown_escaped(v.claim), verdict,
                         markdown_escaped(v.measured));
     text += has_thesis ? " " + markdown_escaped(v.thesis) + " |\n" : "\n";

@@ -135,7 +135,9 @@ std::string origin_html(const Results& results) {
 ClaimCount claims_of(const Results& results) {
   ClaimCount count;
   for (const Verdict& verdict : results.verdicts) {
-    ++(!verdict.judged ? count.not_judged : verdict.held ? count.held : count.not_held);
+    ++(!verdict.judged || results.quick ? count.not_judged
+       : verdict.held                   ? count.held
+                                        : count.not_held);
   }
   return count;
 }
@@ -158,9 +160,15 @@ std::string claims_html(const Results& results) {
       "<th>Measured</th>{}</tr></thead>\n<tbody>\n",
       has_thesis ? "<th>Thesis</th>" : "");
   for (const Verdict& v : results.verdicts) {
-    const std::string verdict = !v.judged ? "<span class=\"not-judged\">not judged</span>"
-                                : v.held  ? "<span class=\"held\">\u2713 held</span>"
-                                          : "<span class=\"not-held\">\u2717 not held</span>";
+    const bool is_verdict = v.judged && !results.quick;
+    const std::string verdict = fmt::format("<span class=\"{}\">{}{}</span>",
+                                            !is_verdict ? "not-judged"
+                                            : v.held    ? "held"
+                                                        : "not-held",
+                                            !is_verdict ? ""
+                                            : v.held    ? "\u2713 "
+                                                        : "\u2717 ",
+                                            text_of(v, results.quick));
     const std::string thesis =
         has_thesis ? "<td data-name=\"Thesis\">" + xml_escaped(v.thesis) + "</td>" : "";
     html += fmt::format("<tr><td>{}</td><td>{}</td><td data-name=\"Measured\">{}</td>{}</tr>\n",
@@ -178,11 +186,12 @@ std::string badges_html(const Results& results) {
     badge(fmt::format("<span class=\"{}\">{} of {} claims held</span>",
                       claims.not_held == 0 ? "held" : "not-held", claims.held, judged));
   }
-  if (claims.not_judged > 0) badge(fmt::format("{} not judged", claims.not_judged));
+  if (claims.not_judged > 0 && !results.quick)
+    badge(fmt::format("{} not judged", claims.not_judged));
   if (!results.runs.empty()) {
     badge(fmt::format("{} of {} runs failed", failed_runs(results), results.runs.size()));
   }
-  if (results.quick) badge("quick run: a reduced version, not the result");
+  if (results.quick) badge("quick run: a reduced version, no verdict on the claims");
   return html + "</ul>\n";
 }
 

@@ -10,7 +10,7 @@ namespace mapbed {
 // replays, all numbers, and what they were made with. One file that needs no network.
 std::string scenario_page(const ReportedResults& reported);
 
-// "2 of 3" of a page's figures.
+// How the claims stand; a quick run judges none.
 struct ClaimCount {
   int held = 0;
   int not_held = 0;

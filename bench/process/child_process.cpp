@@ -109,6 +109,7 @@ class Child {
         .words = words.data(),
         .folder = command.folder.c_str(),
         .leftover = command.leftover.empty() ? nullptr : command.leftover.c_str(),
+        .input = command.input,
         .messages = messages.number(),
         .lifeline = lifeline_.there.number(),
         .report = report_.there.number()};

@@ -14,6 +14,7 @@ struct ChildCommand {
   std::string messages;            // file for what it writes to standard output and error
   double limit = 0.0;              // [s] of wall time; 0: none
   std::string leftover = {};       // folder that goes with it where this program is killed
+  int input = -1;                  // open file that it reads from; -1: it reads nothing
 };
 
 // How it ended, and what it needed with all that it started.

@@ -34,11 +34,11 @@ void place(int descriptor, int to) {
 
 // Keeps these and closes all others: pipes of other runs, logs, locks.
 void keep_only(SupervisedProgram& program) {
-  for (int* descriptor : {&program.messages, &program.lifeline, &program.report}) {
+  if (program.input < 0) program.input = open("/dev/null", O_RDONLY);
+  for (int* descriptor : {&program.input, &program.messages, &program.lifeline, &program.report}) {
     *descriptor = fcntl(*descriptor, F_DUPFD, kFirstFree);
   }
-  const int nothing = open("/dev/null", O_RDONLY);
-  place(nothing, STDIN_FILENO);
+  place(program.input, STDIN_FILENO);
   place(program.messages, STDOUT_FILENO);
   place(program.messages, STDERR_FILENO);
   place(program.lifeline, kLifeline);

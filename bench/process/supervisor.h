@@ -9,6 +9,7 @@ struct SupervisedProgram {
   char* const* words = nullptr;    // its name and arguments, a null pointer at the end
   const char* folder = nullptr;    // where it runs
   const char* leftover = nullptr;  // folder that goes where this program is gone; null: none
+  int input = -1;                  // standard input; -1: there is nothing to be read
   int messages = -1;               // standard output and error
   int lifeline = -1;  // readable once the program shall end; its other end is closed by a kill too
   int report = -1;    // takes a SupervisorReport in the end

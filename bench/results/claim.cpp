@@ -133,4 +133,10 @@ std::string sentence_of(const Claim& claim, const Results& plan) {
   return text;
 }
 
+std::string text_of(const Verdict& verdict, bool quick) {
+  if (!verdict.judged) return quick ? "quick: not judged" : "not judged";
+  if (quick) return verdict.held ? "quick: holds" : "quick: holds not";
+  return verdict.held ? "held" : "not held";
+}
+
 }  // namespace mapbed

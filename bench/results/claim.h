@@ -54,6 +54,10 @@ struct Verdict {
   bool of_cost = false;  // about time, which differs from run to run of the same program
 };
 
+// "held", "not held" or "not judged". A quick run is a smaller one and gives no verdict: it only
+// tells how it came out, "quick: holds", "quick: holds not".
+std::string text_of(const Verdict& verdict, bool quick);
+
 Claim claim_of(const ConfigNode& node);
 
 // One line, of which claim_of makes the same again.

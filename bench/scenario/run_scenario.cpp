@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -170,15 +171,17 @@ ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& opt
   return run;
 }
 
-RunResult repeat_run(const ScenarioPlan& plan, int run) {
+RunResult repeat_run(const ScenarioPlan& plan, int run, const RepeatOptions& options) {
   CHECK(run >= 0 && run < plan.runs());
-  RunResult repeated;
+  std::optional<RunResult> repeated;
   RunnerCalls calls;
   calls.done = [&repeated](RunResult result) { repeated = std::move(result); };
-  calls.may_go_on = [] { return true; };
-  calls.shows_all = true;
-  do_runs(plan, {run}, 1, calls);
-  return repeated;
+  calls.may_go_on = options.goes_on ? options.goes_on : [] { return true; };
+  calls.alone = true;
+  calls.viewer = options.viewer;
+  do_runs(plan, {run}, options.threads, calls);
+  if (!repeated) throw Interrupted();
+  return *std::move(repeated);
 }
 
 }  // namespace mapbed

@@ -7,9 +7,11 @@
 
 #include "bench/results/results.h"
 #include "bench/scenario/plan.h"
+#include "core/interrupted.h"
 
 namespace mapbed {
 
+class RunViewer;
 struct RunResult;
 
 struct ScenarioRunOptions {
@@ -46,7 +48,15 @@ using MayGoOn = std::function<bool(std::size_t done, std::size_t total)>;
 ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& options,
                          const MayGoOn& may_go_on);
 
-// One run alone, with all the files that the first seed's runs have; nothing is written.
-RunResult repeat_run(const ScenarioPlan& plan, int run);
+struct RepeatOptions {
+  int threads = 1;
+  RunViewer* viewer = nullptr;  // looks at the run's method at work
+  GoesOn goes_on = {};
+};
+
+// One run alone, with all the files that the first seed's runs have, and its map for map servers;
+// nothing is written. Throws
+// Interrupted where it is not to go on, or the viewer ends it.
+RunResult repeat_run(const ScenarioPlan& plan, int run, const RepeatOptions& options = {});
 
 }  // namespace mapbed

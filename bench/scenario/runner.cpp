@@ -213,7 +213,9 @@ class Runner {
     input.rng = Rng(row.seed).stream("experiment");
     input.seed = row.seed;
     input.goes_on = calls_.may_go_on;
-    input.shown = calls_.shows_all || row.seed == plan_.scenario.seed;
+    input.viewer = calls_.viewer;
+    input.alone = calls_.alone;
+    input.shown = calls_.alone || row.seed == plan_.scenario.seed;
     input.label = label_of(row);
     for (const Metric& metric : plan_.results.metrics) input.wanted.insert(metric.name);
     for (const SeriesMetric& series : plan_.results.series_metrics) {

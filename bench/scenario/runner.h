@@ -10,6 +10,8 @@
 
 namespace mapbed {
 
+class RunViewer;
+
 struct RunResult {
   RunRow row;
   CostRow cost;
@@ -22,7 +24,8 @@ struct RunnerCalls {
   std::function<void(RunResult)> done;  // a run is over; throws to stop everything
   GoesOn may_go_on;                     // false: nothing more is started, and no log read on
   std::function<void(const std::string&)> remark = {};  // of a recording that runs share
-  bool shows_all = false;  // files of every run, not of those of the first seed alone
+  bool alone = false;  // a run is done again by itself, with all files that there can be of it
+  RunViewer* viewer = nullptr;  // where a single run is done: looks at its method at work
 };
 
 // Does the runs of these numbers, `threads` at a time at most; runs that share a recording share

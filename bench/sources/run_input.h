@@ -16,6 +16,7 @@
 
 namespace mapbed {
 
+class RunViewer;
 class SharedWork;
 struct Recording;
 struct World;
@@ -47,6 +48,8 @@ struct RunInput : LogInput {
   GoesOn goes_on = {};                // for work that can be ended half-way
   std::set<std::string> wanted = {};  // metrics and series; others need not be worked out
   bool shown = false;                 // pictures of this run are wanted too
+  bool alone = false;                 // done again by itself: for map servers, too
+  RunViewer* viewer = nullptr;        // looks at its method at work; null: nobody does
   // Which run it is, for them: "raw, people = 5"; empty: seeds alone set the runs apart.
   std::string label = {};
 };

@@ -174,16 +174,20 @@ std::uint8_t map_server_grey(float occupancy, MapServerMode mode,
   return free ? kFreeGrey : kUnknownGrey;
 }
 
-void write_map_server(const std::string& stem, const GrayImage& greys, const MapServerFile& file) {
+std::string map_server_yaml(const std::string& image, const MapServerFile& file) {
   CHECK(file.mode != MapServerMode::scale && !file.negate);
+  return fmt::format(
+      "image: {}\nmode: {}\nresolution: {}\norigin: [{}, {}, {}]\n"
+      "negate: 0\noccupied_thresh: {}\nfree_thresh: {}\n",
+      yaml_scalar(image), file.mode == MapServerMode::raw ? "raw" : "trinary", file.resolution,
+      file.map_from_image.x, file.map_from_image.y, file.map_from_image.theta,
+      file.thresholds.occupied, file.thresholds.free);
+}
+
+void write_map_server(const std::string& stem, const GrayImage& greys, const MapServerFile& file) {
+  const std::string yaml = map_server_yaml(fs::path(stem + ".pgm").filename().string(), file);
   write_pgm(stem + ".pgm", greys);
-  write_file(stem + ".yaml",
-             fmt::format("image: {}\nmode: {}\nresolution: {}\norigin: [{}, {}, {}]\n"
-                         "negate: 0\noccupied_thresh: {}\nfree_thresh: {}\n",
-                         yaml_scalar(fs::path(stem + ".pgm").filename().string()),
-                         file.mode == MapServerMode::raw ? "raw" : "trinary", file.resolution,
-                         file.map_from_image.x, file.map_from_image.y, file.map_from_image.theta,
-                         file.thresholds.occupied, file.thresholds.free));
+  write_file(stem + ".yaml", yaml);
 }
 
 void write_map_server(const std::string& stem, const MapServerMap& map, MapServerMode mode) {

@@ -59,6 +59,10 @@ Image<float> occupancy_of(const Samples& picture, const MapServerFile& file);
 std::uint8_t map_server_grey(float occupancy, MapServerMode mode,
                              const MapServerThresholds& thresholds = {});
 
+// What NAME.yaml says beside a picture of greys that are made so, by the name of its file; the
+// image in `file` is not looked at. Mode trinary or raw.
+std::string map_server_yaml(const std::string& image, const MapServerFile& file);
+
 // Writes `stem`.pgm, whose pixels are made so, and `stem`.yaml, each complete or not at all; the
 // path of the image in `file` is not looked at. Throws InputError where they cannot be written.
 void write_map_server(const std::string& stem, const GrayImage& greys, const MapServerFile& file);

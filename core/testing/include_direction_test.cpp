@@ -56,7 +56,7 @@ const std::map<std::string, std::vector<Levels>> kInnerOrder = {
        {"sources"},
        {"experiments"},
        {"scenario"},
-       {"pages"},
+       {"film", "pages"},
        {"cli", "micro"}}}},
 };
 
@@ -68,6 +68,8 @@ struct Confined {
 const std::vector<Confined> kConfined = {
     {"yaml-cpp/", {"core/config/"}},
     {"png.h", {"core/image/"}},
+    {"gif_lib.h", {"core/image/gif_animation"}},
+    {"webp/", {"core/image/webp_animation"}},
     {"embree", {"sim/scene/"}},
     {"box2d/", {"sim/physics/"}},
     {"btBullet", {"sim/physics/"}},

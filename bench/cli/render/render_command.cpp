@@ -14,6 +14,8 @@
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/progress.h"
+#include "bench/cli/render/render_film.h"
+#include "bench/film/film.h"
 #include "bench/plot/map_figure.h"
 #include "bench/plot/map_picture.h"
 #include "bench/plot/world_picture.h"
@@ -39,6 +41,8 @@ struct RenderArguments {
   std::string after;
   std::vector<std::string> world_options;
   std::vector<std::string> camera_options;
+  std::optional<int> longest_side;  // [pixels]
+  FilmArguments film;
 };
 
 RgbImage picture_of_world(const RenderArguments& arguments) {
@@ -133,7 +137,51 @@ void write_marked(const std::string& path, const RgbImage& image) {
   }
 }
 
-int render(const RenderArguments& arguments) {
+// Options of pictures and of films are not mixed: one that says nothing would be a slip.
+void refuse_where_named(const std::vector<std::pair<const char*, bool>>& options,
+                        const std::string& why) {
+  for (const auto& [option, is_named] : options) {
+    if (is_named) throw InputError(std::string(option) + " " + why);
+  }
+}
+
+int render_run(const RenderArguments& a) {
+  refuse_where_named({{"--trajectory", !a.trajectories.empty()},
+                      {"--name", !a.names.empty()},
+                      {"--resolution", !a.resolution.empty()},
+                      {"--robot", !a.world.robot.empty()},
+                      {"--path", !a.world.path.empty()},
+                      {"--after", !a.after.empty()},
+                      {"--set", !a.world_options.empty()},
+                      {"--camera", !a.camera_options.empty()}},
+                     "says nothing of a film");
+  if (a.maps.size() != 1) throw InputError("a film is of one run, and several are named");
+  FilmArguments film = a.film;
+  film.run = a.maps.front();
+  film.output = a.output;
+  film.longest_side = a.longest_side;
+  return render_film(film);
+}
+
+void check_ending(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".png" || is_pdf(path) || is_special_file(path)) return;
+  throw InputError({path},
+                   "has none of the endings .png and .pdf, of a picture, and .gif, .webp "
+                   "and .mp4, of a film");
+}
+
+int render(RenderArguments arguments) {
+  if (is_film(arguments.output)) return render_run(arguments);
+  check_ending(arguments.output);
+  const FilmArguments& film = arguments.film;
+  refuse_where_named({{"--run", film.number.has_value()},
+                      {"--fps", film.rate != FilmArguments().rate},
+                      {"--speed", film.speed != 0.0},
+                      {"--from", !film.from.empty()},
+                      {"--to", !film.to.empty()}},
+                     "is of a film: name a file ending in .gif, .webp or .mp4");
+  arguments.picture.longest_side = arguments.longest_side.value_or(arguments.picture.longest_side);
   check_writable(arguments.output);
   refuse_foreign_picture(arguments.output);
   const RgbImage image = while_told("drawing", [&] { return picture_of(arguments); });
@@ -148,6 +196,7 @@ Command render_command() {
   const auto arguments = std::make_shared<RenderArguments>();
   RenderArguments& a = *arguments;
   const std::string of_world = "Of a world";
+  const std::string of_film = "Of a film";
   const auto world_option = [&](const char* name, OptionTarget target, const char* help) {
     return CommandOption{.name = name, .target = target, .help = help, .group = of_world};
   };
@@ -155,17 +204,19 @@ Command render_command() {
   seed.shows_default = true;
   return {
       .name = "render",
-      .help = "Draw a map with its trajectories, or a world",
+      .help = "Draw a map with its trajectories, or a world; or make a film of a run",
       .options =
-          {{.name = "MAP|WORLD",
+          {{.name = "MAP|WORLD|RUN",
             .target = &a.maps,
             .help =
                 "map.yaml as map servers read it, or a .png or .pgm with such a file beside it; "
-                "several are drawn at one scale; or a world's name or file",
+                "several are drawn at one scale; or a world's name or file; for a film, the folder "
+                "that 'mapbed map' or 'mapbed run' has written, or a scenario's name or file",
             .is_required = true},
            {.name = "-o,--out,--output",
             .target = &a.output,
-            .help = "the picture, a PNG file; of the ending .pdf a PDF file",
+            .help = "the picture, .png or .pdf; or the film, .gif, .webp or, by the program "
+                    "ffmpeg, .mp4",
             .is_required = true},
            {"--trajectory", &a.trajectories,
             "poses to draw, lines 't x y z qx qy qz qw' or 't x y theta'; may come again"},
@@ -176,10 +227,10 @@ Command render_command() {
            {"--resolution", &a.resolution,
             "side of a picture's cell, as in '5 cm', where no .yaml says it"},
            {.name = "--size",
-            .target = &a.picture.longest_side,
-            .help = "[pixels] of the map's longer side, or of several in a row, at most",
-            .check = IntRange{100, 16000},
-            .shows_default = true},
+            .target = &a.longest_side,
+            .help = "[pixels] of the map's longer side, or of several in a row, at most; 1600, of "
+                    "a film 800 where left out",
+            .check = IntRange{100, 16000}},
            world_option(
                "--robot", &a.world.robot,
                "draw it in the middle of a drive of this robot, people and doors included"),
@@ -192,7 +243,28 @@ Command render_command() {
                         "an option of the world, as in size=30m; may come again"),
            world_option("--camera", &a.camera_options,
                         "an option of the picture, as in view=plan or reach=8m, see 'describe "
-                        "camera'; may come again")},
+                        "camera'; may come again"),
+           {.name = "--run",
+            .target = &a.film.number,
+            .help = "the number of a scenario's run; its first one where left out",
+            .group = of_film},
+           {.name = "--speed",
+            .target = &a.film.speed,
+            .help = "times real time; where left out, so that it takes half a minute at most",
+            .group = of_film},
+           {.name = "--fps",
+            .target = &a.film.rate,
+            .help = "frames a second",
+            .shows_default = true,
+            .group = of_film},
+           {.name = "--from",
+            .target = &a.film.from,
+            .help = "since the log's start, as in '10 s'",
+            .group = of_film},
+           {.name = "--to",
+            .target = &a.film.to,
+            .help = "the same, where the film ends",
+            .group = of_film}},
       .run = [arguments] { return render(*arguments); }};
 }
 

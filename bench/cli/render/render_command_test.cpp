@@ -97,8 +97,8 @@ TEST_F(RenderCommand, ReplacesItsOwnPicturesAndNoOthers) {
   const std::string photo = text("room.png");
   expect_refusal({"render", "room.yaml", "-o", "room.png"}, "room.png: was not written by mapbed");
   EXPECT_EQ(text("room.png"), photo);
-  write("notes.txt", "of my own");
-  expect_refusal({"render", "room.yaml", "--out", "notes.txt"}, "notes.txt: was not written");
+  write("notes.pdf", "of my own");
+  expect_refusal({"render", "room.yaml", "--out", "notes.pdf"}, "notes.pdf: was not written");
   for (const char* once : {"at first", "again"}) {
     EXPECT_EQ(call({"render", "room.yaml", "-o", "own.png"}).status, 0) << once;
   }
