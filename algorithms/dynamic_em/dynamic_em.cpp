@@ -84,6 +84,10 @@ void DynamicEm::finish() {
   for (int i = 0; i < options_.iterations && !has_settled; ++i) {
     if (i > 0 && options_.register_again) path = registered(*found_->labels);
     CauseMap map(log_, path.trajectory, of_map);
+    if (i == 0) {
+      expected.values.push_back(map.expected_log_likelihood());
+      marginal.values.push_back(map.marginal_log_likelihood());
+    }
     const int steps = options_.register_again ? options_.map_steps : options_.map_steps * (i + 1);
     for (int k = 0; k < steps; ++k) map.step();
     expected.values.push_back(map.expected_log_likelihood());
@@ -94,7 +98,7 @@ void DynamicEm::finish() {
     found_ = path;
     found_->labels = map.labels(log_, path.trajectory);
   }
-  const int iterations = static_cast<int>(marginal.values.size());
+  const int iterations = static_cast<int>(marginal.values.size()) - 1;
   found_->remarks.push_back(remark_on_end(iterations, has_settled));
   found_->iterations = {std::move(expected), std::move(marginal)};
 }

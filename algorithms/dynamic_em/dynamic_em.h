@@ -38,7 +38,8 @@ void visit_fields(DynamicEmOptions& o, Visitor&& visit) {
 // Maps of places where things move, chapter 4, whatever they are: beams are weighed by how likely
 // something static reflected them (E-step), the scans registered again with these weights and the
 // map made of both (M-step), Figure 4.2, until the marginal likelihood grows no more. The path and
-// labels of the iteration of the largest one are kept.
+// labels of the iteration of the largest one are kept. Estimate::iterations begin with the map
+// whose expectations are all p_static.
 //
 // Takes all measurements in before it works, in finish(); until then it is the method that
 // registers. Memory is linear in beams.
