@@ -8,10 +8,14 @@ namespace mapbed {
 // the program, however that ends.
 class FolderLock {
  public:
-  explicit FolderLock(const std::string& folder);  // InputError where another one has it
+  // Waits `patience` [s] for another one that has it; InputError where it still does.
+  explicit FolderLock(const std::string& folder, double patience = 0.0);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
+
+  // Whether a program has it at this moment. Makes no file.
+  static bool is_taken(const std::string& folder);
 
  private:
   std::string path_;

@@ -78,6 +78,30 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+// What is whole of a journal.
+struct Content {
+  std::string identity;  // empty: not even the head is
+  std::vector<Journal::Entry> entries;
+  std::size_t size = 0;  // [bytes]
+};
+
+Content content_of(const std::string& path, const std::string& text, std::size_t metrics) {
+  Content content;
+  std::string_view line;
+  while (!(line = valid_line(text, content.size)).empty()) {
+    const CsvRow row = parse_csv(path, line.substr(kChecksum + 1)).front();
+    const bool is_head = content.size == 0;
+    content.size += line.size();
+    if (is_head) {
+      content.identity = row.front();
+      continue;
+    }
+    const auto entry = row.size() == kFixedFields + metrics ? entry_of(row) : std::nullopt;
+    if (entry) content.entries.push_back(*entry);
+  }
+  return content;
+}
+
 }  // namespace
 
 std::string Journal::identity_of(const std::string& path) {
@@ -88,39 +112,30 @@ std::string Journal::identity_of(const std::string& path) {
 
 Journal::Journal(const std::string& path, const std::string& identity, std::size_t metrics)
     : path_(path) {
-  const std::string text = text_of(path);
+  Content content = content_of(path, text_of(path), metrics);
+  if (content.size > 0 && content.identity != identity) {
+    throw InputError({path}, "these unfinished runs are of another configuration or program",
+                     "--restart throws them away, --out chooses another folder");
+  }
   file_ = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_APPEND, 0644);
   if (file_ < 0) {
     throw InputError({path}, std::string("cannot be written: ") + std::strerror(errno),
                      "choose another folder with --out");
   }
-  read(text, identity, metrics);
+  found_ = std::move(content.entries);
+  size_ = static_cast<off_t>(content.size);
+  if (ftruncate(file_, size_) != 0) {  // what is not whole
+    throw InputError({path_}, std::string("cannot be written: ") + std::strerror(errno));
+  }
+  if (size_ == 0) write_line(identity + "\n");
 }
 
 Journal::~Journal() {
   close(file_);
 }
 
-// Keeps what is whole and cuts off the rest.
-void Journal::read(const std::string& text, const std::string& identity, std::size_t metrics) {
-  bool has_head = false;
-  std::string_view line;
-  for (std::size_t at = 0; !(line = valid_line(text, at)).empty(); at += line.size()) {
-    const CsvRow row = parse_csv(path_, line.substr(kChecksum + 1)).front();
-    size_ += static_cast<off_t>(line.size());
-    if (!has_head) {
-      has_head = true;
-      if (row.front() == identity) continue;
-      throw InputError({path_}, "these unfinished runs are of another configuration or program",
-                       "--restart throws them away, --out chooses another folder");
-    }
-    const auto entry = row.size() == kFixedFields + metrics ? entry_of(row) : std::nullopt;
-    if (entry) found_.push_back(*entry);
-  }
-  if (ftruncate(file_, size_) != 0) {
-    throw InputError({path_}, std::string("cannot be written: ") + std::strerror(errno));
-  }
-  if (!has_head) write_line(identity + "\n");
+std::vector<Journal::Entry> Journal::entries_of(const std::string& path, std::size_t metrics) {
+  return content_of(path, text_of(path), metrics).entries;
 }
 
 void Journal::append(const Entry& entry) {

@@ -37,8 +37,10 @@ class Journal {
   // One word for configuration and program; empty where no journal of that name begins.
   static std::string identity_of(const std::string& path);
 
+  // What stands in a journal that another program may be writing on; nothing is changed.
+  static std::vector<Entry> entries_of(const std::string& path, std::size_t metrics);
+
  private:
-  void read(const std::string& text, const std::string& identity, std::size_t metrics);
   void write_line(const std::string& line);
 
   std::string path_;

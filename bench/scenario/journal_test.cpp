@@ -1,8 +1,11 @@
 #include "bench/scenario/journal.h"
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <thread>
 
 #include <gmock/gmock.h>
 
@@ -85,13 +88,41 @@ TEST(Journal, RunsOfAnotherConfigurationAreNotMixedIn) {
   EXPECT_INPUT_ERROR(Journal(folder.file("journal"), "other", 1), "--restart");
 }
 
+TEST(Journal, IsReadWhileAnotherProgramWritesOn) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("journal");
+  EXPECT_TRUE(Journal::entries_of(path, 1).empty());
+  Journal journal(path, "this", 1);
+  journal.append(entry(3, 0.5));
+  std::ofstream(path, std::ios::app) << "the begin of a line";
+  const auto entries = Journal::entries_of(path, 1);
+  ASSERT_EQ(entries.size(), 1u);
+  EXPECT_EQ(entries[0].row.run, 3);
+  EXPECT_THAT(read_bytes(path), ::testing::EndsWith("the begin of a line")) << "and left as it is";
+}
+
 TEST(FolderLock, LetsOneInAtATime) {
   const TemporaryFolder folder;
+  EXPECT_FALSE(FolderLock::is_taken(folder.file(".")));
   {
     const FolderLock lock(folder.file("."));
+    EXPECT_TRUE(FolderLock::is_taken(folder.file(".")));
     EXPECT_INPUT_ERROR(FolderLock(folder.file(".")), "another run is at work in this folder");
   }
+  EXPECT_FALSE(FolderLock::is_taken(folder.file(".")));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.file("."))) << "asking makes nothing";
   const FolderLock again(folder.file("."));
+}
+
+TEST(FolderLock, WaitsForOneThatHasItForAMoment) {
+  const TemporaryFolder folder;
+  std::optional<FolderLock> other(std::in_place, folder.file("."));
+  std::thread soon([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    other.reset();
+  });
+  EXPECT_NO_THROW(FolderLock(folder.file("."), 60.0));
+  soon.join();
 }
 
 }  // namespace

@@ -20,7 +20,6 @@
 #include "bench/scenario/runner.h"
 #include "bench/scenario/staging_folder.h"
 #include "core/check.h"
-#include "core/file/atomic_file.h"
 #include "core/file/hash.h"
 #include "core/input_error.h"
 
@@ -29,12 +28,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The runs of before as rows with level and variant; false numbers would be a broken journal.
+// The runs of before as rows with level and variant; other numbers would be a broken journal.
 std::set<int> resume(const std::vector<Journal::Entry>& found, const ScenarioPlan& plan,
-                     Results& results) {
+                     const std::vector<int>& wanted, Results& results) {
+  const std::set<int> numbers(wanted.begin(), wanted.end());
   std::set<int> done;
   for (const Journal::Entry& entry : found) {
-    if (entry.row.run < 0 || entry.row.run >= plan.runs()) continue;
+    if (!numbers.contains(entry.row.run)) continue;
     if (!done.insert(entry.row.run).second) continue;
     RunRow row = plan.row(entry.row.run);
     row.values = entry.row.values;
@@ -112,13 +112,14 @@ ScenarioRun finished_run(const ScenarioPlan& plan, const std::string& folder,
   return run;
 }
 
-// Resumes what an earlier start has done, and does the rest of the runs.
-ScenarioRun all_runs(const ScenarioPlan& plan, int threads, StagingFolder& staging,
-                     const MayGoOn& may_go_on) {
+}  // namespace
+
+ScenarioRun staged_runs(const ScenarioPlan& plan, const std::vector<int>& runs, int threads,
+                        StagingFolder& staging, const MayGoOn& may_go_on) {
   ScenarioRun run{.results = plan.results};
-  const std::set<int> done = resume(staging.found(), plan, run.results);
+  const std::set<int> done = resume(staging.found(), plan, runs, run.results);
   run.done_before = static_cast<int>(done.size());
-  std::vector<int> to_do = plan.runs_to_do();
+  std::vector<int> to_do = runs;
   const std::size_t total = to_do.size();
   std::erase_if(to_do, [&done](int i) { return done.contains(i); });
 
@@ -144,23 +145,30 @@ ScenarioRun all_runs(const ScenarioPlan& plan, int threads, StagingFolder& stagi
   return run;
 }
 
-}  // namespace
+std::string identity_of_runs(const ScenarioPlan& plan) {
+  return identity_of(plan) + sha256_of_program();
+}
 
 ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& options,
                          const MayGoOn& may_go_on) {
-  const Stopwatch stopwatch;
   const FolderLock lock(options.folder);
+  return run_locked_scenario(plan, options, may_go_on);
+}
+
+ScenarioRun run_locked_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& options,
+                                const MayGoOn& may_go_on) {
+  const Stopwatch stopwatch;
   finish_publication(options.folder);
-  const std::string identity = identity_of(plan) + sha256_of_program();
+  const std::string identity = identity_of_runs(plan);
   if (!options.restart && finished_identity(options.folder) == identity) {
     return finished_run(plan, options.folder, identity);
   }
   refuse_foreign_files(options.folder, plan.results);
   StagingFolder staging(options.folder, plan.results, identity, options.restart);
-  // Tells a later start why runs that stay unfinished do not count any more.
-  write_file((fs::path(options.folder) / "runs" / "tables" / "config.yaml").string(),
-             plan.results.config_yaml, Durability::unsynced);
-  ScenarioRun run = all_runs(plan, options.threads, staging, may_go_on);
+  for (const std::string& other : options.taken_over) {
+    staging.take_over({options.folder, plan.results, identity, false, other});
+  }
+  ScenarioRun run = staged_runs(plan, plan.runs_to_do(), options.threads, staging, may_go_on);
   if (!run.complete) return run;
   staging.collect(run.results);
   summarize(run.results);

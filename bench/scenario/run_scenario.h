@@ -13,12 +13,16 @@ namespace mapbed {
 
 class RunViewer;
 struct RunResult;
+class StagingFolder;
 
 struct ScenarioRunOptions {
   std::string folder;  // of the results; exists
   int threads = 1;
-  bool restart = false;              // unfinished runs of before are thrown away
-  std::vector<std::string> command;  // as it was given, for the provenance
+  bool restart = false;                   // unfinished runs of before are thrown away
+  std::vector<std::string> command = {};  // as it was given, for the provenance
+  // Staging folders below the folder, whose runs, done by other programs, are taken over. They are
+  // of this plan and program, and nobody writes there.
+  std::vector<std::string> taken_over = {};
 };
 
 struct ScenarioRun {
@@ -48,6 +52,18 @@ using MayGoOn = std::function<bool(std::size_t done, std::size_t total)>;
 ScenarioRun run_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& options,
                          const MayGoOn& may_go_on);
 
+// The same in a folder that is locked by the caller.
+ScenarioRun run_locked_scenario(const ScenarioPlan& plan, const ScenarioRunOptions& options,
+                                const MayGoOn& may_go_on);
+
+// Does those of the runs of these numbers that are not in the staging folder yet; complete where
+// all are then. The results have rows and costs alone.
+ScenarioRun staged_runs(const ScenarioPlan& plan, const std::vector<int>& runs, int threads,
+                        StagingFolder& staging, const MayGoOn& may_go_on);
+
+// One word for configuration and program: runs that agree in it are of one result.
+std::string identity_of_runs(const ScenarioPlan& plan);
+
 struct RepeatOptions {
   int threads = 1;
   RunViewer* viewer = nullptr;  // looks at the run's method at work
@@ -55,8 +71,7 @@ struct RepeatOptions {
 };
 
 // One run alone, with all the files that the first seed's runs have, and its map for map servers;
-// nothing is written. Throws
-// Interrupted where it is not to go on, or the viewer ends it.
+// nothing is written. Throws Interrupted where it is not to go on, or the viewer ends it.
 RunResult repeat_run(const ScenarioPlan& plan, int run, const RepeatOptions& options = {});
 
 }  // namespace mapbed

@@ -31,9 +31,6 @@ std::string one_line(std::string text) {
   return text;
 }
 
-// Runs that work on one recording.
-using Groups = std::vector<std::vector<int>>;
-
 std::string key_of(const ScenarioPlan& plan, const RunRow& row) {
   const PlannedRuns& planned = plan.planned_of(row);
   if (planned.sources.empty()) return std::to_string(row.run);
@@ -42,17 +39,6 @@ std::string key_of(const ScenarioPlan& plan, const RunRow& row) {
     key += (source->depends_on_seed ? std::to_string(row.seed) : "") + "\n" + source->key;
   }
   return key;
-}
-
-Groups groups_of(const ScenarioPlan& plan, const std::vector<int>& runs) {
-  std::map<std::string, std::size_t> by_key;
-  Groups groups;
-  for (const int run : runs) {
-    const auto [entry, is_new] = by_key.emplace(key_of(plan, plan.row(run)), groups.size());
-    if (is_new) groups.emplace_back();
-    groups[entry->second].push_back(run);
-  }
-  return groups;
 }
 
 class Inside {
@@ -253,11 +239,23 @@ class Runner {
 
 }  // namespace
 
+std::vector<std::vector<int>> sharing_recordings(const ScenarioPlan& plan,
+                                                 const std::vector<int>& runs) {
+  std::map<std::string, std::size_t> by_key;
+  std::vector<std::vector<int>> groups;
+  for (const int run : runs) {
+    const auto [entry, is_new] = by_key.emplace(key_of(plan, plan.row(run)), groups.size());
+    if (is_new) groups.emplace_back();
+    groups[entry->second].push_back(run);
+  }
+  return groups;
+}
+
 int do_runs(const ScenarioPlan& plan, const std::vector<int>& runs, int threads,
             const RunnerCalls& calls) {
   const ThreadLimit limit(threads);
   tbb::task_arena arena(threads);
-  const Groups groups = groups_of(plan, runs);
+  const std::vector<std::vector<int>> groups = sharing_recordings(plan, runs);
   Runner runner(plan, calls);
   arena.execute([&] {
     tbb::parallel_for(
@@ -272,7 +270,7 @@ int do_runs(const ScenarioPlan& plan, const std::vector<int>& runs, int threads,
 
 int recordings_needed(const ScenarioPlan& plan) {
   int recordings = 0;
-  for (const std::vector<int>& runs : groups_of(plan, plan.runs_to_do())) {
+  for (const std::vector<int>& runs : sharing_recordings(plan, plan.runs_to_do())) {
     recordings += static_cast<int>(plan.planned_of(plan.row(runs.front())).sources.size());
   }
   return recordings;

@@ -34,6 +34,10 @@ struct RunnerCalls {
 int do_runs(const ScenarioPlan& plan, const std::vector<int>& runs, int threads,
             const RunnerCalls& calls);
 
+// Those of the runs of these numbers that work on one recording, in the order of the first of them.
+std::vector<std::vector<int>> sharing_recordings(const ScenarioPlan& plan,
+                                                 const std::vector<int>& runs);
+
 // How many recordings all runs of the scenario need.
 int recordings_needed(const ScenarioPlan& plan);
 

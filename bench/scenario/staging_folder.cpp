@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -21,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kStaging = "runs";
-
 template <class T>
 void append(std::vector<T> more, std::vector<T>& all) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
@@ -40,6 +39,15 @@ void make_folder(const fs::path& folder) {
   if (failed) throw InputError({folder.string()}, "cannot be made: " + failed.message());
 }
 
+void copy_over(const fs::path& from, const fs::path& to) {
+  std::error_code failed;
+  fs::copy_file(from, to, fs::copy_options::overwrite_existing, failed);
+  if (failed) {
+    throw InputError({to.string()}, "cannot be written: " + failed.message(),
+                     "start again when it can be; the runs are kept");
+  }
+}
+
 std::string journal_in(const fs::path& staging) {
   return (staging / "journal").string();
 }
@@ -48,8 +56,8 @@ std::string journal_in(const fs::path& staging) {
 
 // The journal first: a folder without one is somebody else's.
 StagingFolder::StagingFolder(const std::string& folder, const Results& planned,
-                             const std::string& identity, bool afresh)
-    : planned_(planned), folder_(folder), staging_(folder_ / kStaging) {
+                             const std::string& identity, bool afresh, const std::string& staging)
+    : planned_(planned), folder_(folder), staging_(folder_ / staging) {
   const std::string journal = journal_in(staging_);
   if (fs::exists(journal)) {
     if (afresh || Journal::identity_of(journal).empty()) remove_staging(staging_);
@@ -60,6 +68,9 @@ StagingFolder::StagingFolder(const std::string& folder, const Results& planned,
   make_folder(staging_);
   journal_.emplace(journal, identity, planned.metrics.size());
   for (const char* name : {"files", "tables"}) make_folder(staging_ / name);
+  // Tells a later start why runs that stay unfinished do not count any more.
+  write_file((staging_ / "tables" / "config.yaml").string(), planned.config_yaml,
+             Durability::unsynced);
   resume();
 }
 
@@ -68,12 +79,15 @@ void StagingFolder::resume() {
   for (const Journal::Entry& entry : journal_->found()) {
     if (entry.given != checksum_of(entry.row.run)) continue;
     found_.push_back(entry);
-    const std::string files = table("files", entry.row.run);
-    if (files.empty()) continue;
-    for (const FileOfRun& file : parse_files(table_path("files", entry.row.run), files)) {
+    for (const FileOfRun& file : files_of(entry.row.run)) {
       run_by_file_.emplace(file.path, entry.row.run);
     }
   }
+}
+
+std::vector<FileOfRun> StagingFolder::files_of(int run) const {
+  const std::string files = table("files", run);
+  return files.empty() ? std::vector<FileOfRun>{} : parse_files(table_path("files", run), files);
 }
 
 void StagingFolder::own(const std::string& path, int run) {
@@ -106,14 +120,32 @@ void StagingFolder::commit(const RunResult& result) {
   journal_->append({result.row, result.cost, checksum_of(result.row.run)});
 }
 
+// In the order of commit(), for the same reason.
+void StagingFolder::take_over(const StagingFolder& other) {
+  std::set<int> here;
+  for (const Journal::Entry& entry : found_) here.insert(entry.row.run);
+  for (const Journal::Entry& entry : other.found_) {
+    const int run = entry.row.run;
+    if (!here.insert(run).second) continue;
+    for (const FileOfRun& file : other.files_of(run)) {
+      own(file.path, run);
+      const fs::path path = staging_ / "files" / file.path;
+      make_folder(path.parent_path());
+      copy_over(other.staging_ / "files" / file.path, path);
+    }
+    for (const char* kind : {"series", "files"}) write_table(kind, run, other.table(kind, run));
+    journal_->append(entry);
+    found_.push_back(entry);
+  }
+}
+
 void StagingFolder::collect(Results& results) const {
   for (const RunRow& run : results.runs) {
     const std::string series = table("series", run.run);
     if (!series.empty()) {
       append(parse_series(table_path("series", run.run), series, results), results.series);
     }
-    const std::string files = table("files", run.run);
-    if (!files.empty()) append(parse_files(table_path("files", run.run), files), results.files);
+    append(files_of(run.run), results.files);
   }
 }
 
@@ -137,13 +169,10 @@ void StagingFolder::write_table(const std::string& kind, int run, const std::str
 
 // Of the tables and files of a run; empty where they are damaged.
 std::string StagingFolder::checksum_of(int run) const try {
-  const std::string files = table("files", run);
   Sha256 sum;
-  sum.add(sha256(table("series", run)) + sha256(files));
-  if (!files.empty()) {
-    for (const FileOfRun& file : parse_files(table_path("files", run), files)) {
-      sum.add(sha256_of_file((staging_ / "files" / file.path).string()));
-    }
+  sum.add(sha256(table("series", run)) + sha256(table("files", run)));
+  for (const FileOfRun& file : files_of(run)) {
+    sum.add(sha256_of_file((staging_ / "files" / file.path).string()));
   }
   return sum.digits().substr(0, 16);
 } catch (const InputError&) {
@@ -151,7 +180,7 @@ std::string StagingFolder::checksum_of(int run) const try {
 }
 
 void discard_staging(const std::string& folder, const std::string& identity) {
-  const fs::path staging = fs::path(folder) / kStaging;
+  const fs::path staging = fs::path(folder) / StagingFolder::kStaging;
   if (!fs::exists(journal_in(staging))) return;
   const std::string found = Journal::identity_of(journal_in(staging));
   if (found.empty() || found == identity) remove_staging(staging);

@@ -115,6 +115,27 @@ TEST_F(Staging, TheRunsOfAnotherConfigurationAreNotThrownAwayUnasked) {
   EXPECT_FALSE(fs::exists(path("")));
 }
 
+TEST_F(Staging, TakesOverTheRunsOfAnotherThatItHasNot) {
+  const auto other = [this] {
+    return StagingFolder{folder_.file(""), plan_, "this", false, "shards/1_of_2/runs"};
+  };
+  RunResult own = run(1);
+  own.row.values = {0.25};
+  opened().commit(own);
+  {
+    StagingFolder of_other = other();
+    of_other.commit(run(0));
+    of_other.commit(run(1));
+  }
+  opened().take_over(other());
+  const StagingFolder staging = opened();
+  ASSERT_EQ(staging.found().size(), 2u);
+  EXPECT_EQ(staging.found()[0].row.values[0], 0.25) << "its own";
+  EXPECT_EQ(staging.found()[1].row.run, 0);
+  EXPECT_EQ(read_text_file(path("files/maps/map_raw.png")), "a map");
+  EXPECT_EQ(other().found().size(), 2u) << "stays";
+}
+
 TEST_F(Staging, TwoFilesOfOneNameAreRefused) {
   StagingFolder staging = opened();
   staging.commit(run(0));

@@ -56,6 +56,7 @@ const std::map<std::string, std::vector<Levels>> kInnerOrder = {
        {"sources"},
        {"experiments"},
        {"scenario"},
+       {"shards"},
        {"film", "pages"},
        {"cli", "micro"}}}},
 };

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,18 +8,19 @@
 
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
-#include "bench/cli/interrupt.h"
 #include "bench/cli/output_folder.h"
-#include "bench/cli/progress.h"
+#include "bench/cli/run/run_shards.h"
+#include "bench/cli/run/run_told.h"
 #include "bench/pages/reports.h"
 #include "bench/process/foreign_files.h"
 #include "bench/process/thread_limit.h"
 #include "bench/results/result_folder.h"
 #include "bench/results/result_tables.h"
-#include "bench/scenario/failed_runs.h"
 #include "bench/scenario/identity.h"
 #include "bench/scenario/run_scenario.h"
 #include "bench/scenario/runner.h"
+#include "bench/shards/merging.h"
+#include "bench/shards/shard_folders.h"
 #include "bench/sources/files_record.h"
 #include "core/file/csv_file.h"
 #include "core/input_error.h"
@@ -36,6 +36,10 @@ struct RunArguments {
   int threads = 0;  // 0: as many as the machine has processors
   std::optional<std::uint64_t> seed;
   std::optional<int> run;
+  std::string shard;
+  int slurm = 0;  // tasks to be submitted; 0: none
+  bool status = false;
+  std::vector<std::string> sbatch;  // its options
   std::vector<std::string> settings;
   std::string folder;
 };
@@ -65,40 +69,14 @@ void tell_changed_files(const std::string& folder, const ScenarioPlan& plan) {
   const std::string of_folder = folder + "/config.yaml";
   tell(of_folder, "all runs are done anew");
   tell(folder + "/runs/tables/config.yaml", "unfinished runs are of the old one");
+  const std::vector<Shard> shards = shards_in(folder);
+  if (!shards.empty()) {
+    tell(folder + "/" + staging_of(shards.front()) + "/tables/config.yaml",
+         "what the shards have done is of the old one");
+  }
   std::error_code none;
   if (std::filesystem::equivalent(of_folder, plan.scenario.path, none)) return;
   tell(plan.scenario.path, "the results may be others");
-}
-
-void print_claims(const Results& results) {
-  for (const Verdict& claim : results.verdicts) {
-    std::string verdict = text_of(claim, results.quick);
-    if (verdict == "not held") verdict = "NOT HELD";
-    fmt::print("{:<10} {}\n           {}\n", verdict, claim.claim, claim.measured);
-  }
-  if (results.quick && !results.verdicts.empty()) {
-    fmt::print("remark: a quick run is no verdict on the claims; the run without --quick is\n");
-  }
-}
-
-void print_result(const ScenarioRun& run, const std::string& folder) {
-  const auto total = run.results.runs.size();
-  const auto failed = std::count_if(run.results.runs.begin(), run.results.runs.end(),
-                                    [](const RunRow& row) { return !row.failure.empty(); });
-  fmt::print("{}: {} runs, {} of them failed; {} were done before, {} recordings made\n",
-             run.results.id, total, failed, run.done_before, run.recordings);
-  fmt::print("{}", failed_runs_text(run.results, folder));
-  for (const std::string& line : run.results.skipped) {
-    fmt::print("remark: {}; set MAPBED_DATA to the folder that holds it\n", line);
-  }
-  for (const std::string& remark : run.remarks) fmt::print("remark: {}\n", remark);
-  print_claims(run.results);
-  fmt::print("written to {0}; see {0}/report.html\n", folder);
-}
-
-bool all_held(const Results& results) {
-  return std::all_of(results.verdicts.begin(), results.verdicts.end(),
-                     [](const Verdict& claim) { return claim.held || !claim.judged; });
 }
 
 constexpr const char* kRow = "run.csv";  // marks a folder of one run
@@ -144,38 +122,53 @@ int repeat_one_run(const ScenarioPlan& plan, int number, const std::string& fold
   return kDone;
 }
 
-int run(const RunArguments& arguments) {
-  ScenarioChoice choice{.quick = arguments.quick, .seed = arguments.seed};
-  for (const std::string& text : arguments.settings) {
-    choice.settings.push_back(parse_setting(text));
+// Ways of running that exclude each other.
+void check_ways(const RunArguments& a) {
+  const int ways =
+      int{a.run.has_value()} + int{!a.shard.empty()} + int{a.slurm > 0} + int{a.status};
+  if (ways > 1) {
+    throw InputError({}, "--run, --shard, --slurm and --status exclude each other", "give one");
   }
-  const ScenarioPlan plan =
-      while_told("planning", [&] { return make_plan(load_scenario(arguments.scenario, choice)); });
-  if (arguments.run) return repeat_one_run(plan, *arguments.run, arguments.folder);
+  if (a.status && a.restart) {
+    throw InputError({}, "--status and --restart exclude each other", "give one");
+  }
+  if (a.slurm == 0 && !a.sbatch.empty()) {
+    throw InputError({}, fmt::format("one argument too many: '{}'", a.sbatch.front()),
+                     "see 'mapbed run --help'");
+  }
+}
 
-  ScenarioRunOptions options{.folder = folder_of(arguments, plan.scenario),
-                             .restart = arguments.restart,
-                             .command = command_of(arguments)};
-  options.threads = arguments.threads > 0 ? arguments.threads : processors();
+// All runs, or what is left of them.
+int do_all(const ScenarioPlan& plan, const ScenarioRunOptions& options, bool strict) {
+  const ScenarioRun run = while_working(
+      plan.scenario.id, plan.runs_to_do().size(),
+      [&](const MayGoOn& may_go_on) { return run_all_shards(plan, options, may_go_on); });
+  if (run.complete) return tell_finished(run, options.folder, strict);
+  return tell_interrupted(run.results.runs.size(), plan.runs_to_do().size());
+}
+
+int run(RunArguments a) {
+  check_ways(a);
+  std::optional<Shard> shard;
+  if (!a.shard.empty()) shard = parse_shard(a.shard);
+  ScenarioChoice choice{.quick = a.quick, .seed = a.seed};
+  for (const std::string& text : a.settings) choice.settings.push_back(parse_setting(text));
+  const ScenarioPlan plan =
+      while_told("planning", [&] { return make_plan(load_scenario(a.scenario, choice)); });
+  if (a.run) return repeat_one_run(plan, *a.run, a.folder);
+
+  if (a.slurm > 0 && a.threads == 0) a.threads = 1;  // a task has no more, unless it asks for them
+  const ScenarioRunOptions options{.folder = folder_of(a, plan.scenario),
+                                   .threads = a.threads > 0 ? a.threads : processors(),
+                                   .restart = a.restart,
+                                   .command = command_of(a)};
   const OutputFolder folder(options.folder);
   refuse_foreign_page(options.folder);
   tell_changed_files(options.folder, plan);
-  const ScenarioRun result = [&] {
-    const InterruptGuard interrupt;
-    Progress progress(plan.scenario.id, plan.runs_to_do().size());
-    return run_scenario(plan, options, [&](std::size_t done, std::size_t) {
-      progress.advance_to(done);
-      return !interrupt.was_interrupted();
-    });
-  }();
-  if (!result.complete) {
-    fmt::print(stderr, "mapbed: interrupted after {} of {} runs; start again to go on\n",
-               result.results.runs.size(), plan.runs_to_do().size());
-    return kInterrupted;
-  }
-  while_told("writing pages", [&] { write_page(options.folder); });
-  print_result(result, options.folder);
-  return arguments.strict && !all_held(result.results) ? kClaimsNotHeld : kDone;
+  if (a.status) return do_status(plan, options, a.strict);
+  if (a.slurm > 0) return do_slurm(plan, options, a.slurm, a.sbatch, a.strict);
+  if (shard) return do_shard(plan, options, *shard, a.strict);
+  return do_all(plan, options, a.strict);
 }
 
 }  // namespace
@@ -188,6 +181,7 @@ Command run_command() {
                        .target = &a->scenario,
                        .help = "a scenario's name, of 'mapbed list scenarios', or its file (YAML)",
                        .is_required = true},
+                      {"SBATCH", &a->sbatch, "with --slurm, behind '--': options of sbatch"},
                       {"--quick", &a->quick,
                        "a reduced version, in seconds; gives no verdict on claims"},
                       {.name = "-j,--threads",
@@ -202,6 +196,17 @@ Command run_command() {
                       {"--run", &a->run,
                        "repeat the run of this number alone and print its row; with --out its map, "
                        "path and pictures are written there, too"},
+                      {"--shard", &a->shard,
+                       "do a part of the runs, '3/8' is the third of eight, by programs that may "
+                       "be on several machines; the last one merges"},
+                      {.name = "--slurm",
+                       .target = &a->slurm,
+                       .help = "submit so many shards to Slurm, as an array job; options of sbatch "
+                               "stand behind '--'. Again, it submits what was killed or failed",
+                       .check = IntRange{1, kMostShards}},
+                      {"--status", &a->status,
+                       "tell how far the shards are, and merge when all are in; exit status 3 as "
+                       "long as they are not"},
                       {"--restart", &a->restart, "throw away what an interrupted start has done"},
                       {"--strict", &a->strict, "exit status 2 where a claim does not hold"}},
           .run = [a] { return run(*a); }};
