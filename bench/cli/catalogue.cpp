@@ -22,6 +22,7 @@
 #include "core/log/log_description.h"
 #include "core/log/log_formats.h"
 #include "core/log/log_options.h"
+#include "core/log/public_log.h"
 #include "robots/robot.h"
 #include "robots/sensor_model.h"
 #include "sim/drivers/drivers.h"
@@ -96,6 +97,24 @@ std::vector<CatalogueEntry> sensor_entries() {
   return entries;
 }
 
+std::string text_of(const PublicLog& log) {
+  std::string text;
+  if (!log.cite.empty()) text += "cite: " + log.cite + "\n";
+  if (!log.pieces.empty()) text += "public files:\n";
+  for (const PublicFile& piece : log.pieces) {
+    const std::string bytes = piece.bytes == 0 ? "?" : fmt::to_string(piece.bytes);
+    text += fmt::format("  - {}: {} bytes, SHA-256 {}, opened: {}\n", piece.file, bytes,
+                        piece.sha256.empty() ? "unknown" : piece.sha256, piece.opened);
+    for (const std::string& address : piece.addresses) text += "    " + address + "\n";
+  }
+  for (const MadeFile& made : log.made) {
+    text += fmt::format("made by fetch: {} of {} ({})\n", made.file, made.piece, made.by);
+  }
+  if (!log.by_hand.empty()) text += "by hand:\n";
+  for (const std::string& step : log.by_hand) text += "  - " + step + "\n";
+  return text;
+}
+
 std::string text_of(const LogDescription& log) {
   std::string text = "file: " + log.log.file + "\nsha256: " + log.log.sha256 +
                      "\nsource: " + log.source + "\nlicence: " + log.licence +
@@ -103,7 +122,15 @@ std::string text_of(const LogDescription& log) {
                      "\n";
   if (!log.pieces.empty()) text += "pieces:\n";
   for (const std::string& piece : log.pieces) text += "  - " + piece + "\n";
+  text += text_of(load_public_log(log.yaml_path));
   return is_here(log) ? text + text_of_log(log.yaml_path) : text;
+}
+
+// What it is, and where it is not here how to come to it.
+std::string about_of(const std::string& name, const LogDescription& log) {
+  if (is_here(log)) return log.about;
+  return fmt::format("{} (not here: 'mapbed fetch {}' {})", log.about, name,
+                     can_be_fetched(log) ? "gets it" : "says how to get it");
 }
 
 std::vector<CatalogueEntry> driver_entries() {
@@ -129,7 +156,7 @@ std::vector<CatalogueEntry> log_entries() {
   for (const std::string& name : data_names("scenarios/logs")) {
     const std::string path = find_data_file("log", "scenarios/logs", name).string();
     const LogDescription log = load_log_description(path);
-    entries.push_back({name, log.about, [log] { return text_of(log); }});
+    entries.push_back({name, about_of(name, log), [log] { return text_of(log); }});
   }
   return entries;
 }

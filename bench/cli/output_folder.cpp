@@ -25,8 +25,8 @@ std::vector<std::string> missing_folders(const fs::path& folder) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const std::string& folder) {
-  const std::string remedy = "choose another folder with --out";
+OutputFolder::OutputFolder(const std::string& folder, const std::string& option) {
+  const std::string remedy = "choose another folder with " + option;
   const std::vector<std::string> missing = missing_folders(folder);
   std::error_code error;
   fs::create_directories(folder, error);

@@ -28,27 +28,28 @@ bool is_still_there(int file, const std::string& path) {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::string& folder, double patience) : path_(folder + "/.lock") {
+FolderLock::FolderLock(const std::string& folder, double patience, const std::string& option)
+    : path_(folder + "/.lock") {
   const Stopwatch waited;
   for (;;) {
     file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (file_ < 0) {
       throw InputError({path_}, std::string("cannot be written: ") + std::strerror(errno),
-                       "choose another folder with --out");
+                       "choose another folder with " + option);
     }
     if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
       close(file_);
       if (error != EWOULDBLOCK) {
         throw InputError({path_}, std::string("cannot be locked: ") + std::strerror(error),
-                         "choose a folder of a file system that has locks with --out");
+                         "choose a folder of a file system that has locks with " + option);
       }
       if (waited.seconds() < patience) {
         std::this_thread::sleep_for(kAskAgain);
         continue;
       }
       throw InputError({folder}, "another run is at work in this folder",
-                       "wait for it to end, or choose another folder with --out");
+                       "wait for it to end, or choose another folder with " + option);
     }
     if (is_still_there(file_, path_)) return;
     close(file_);

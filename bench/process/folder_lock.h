@@ -8,8 +8,10 @@ namespace mapbed {
 // the program, however that ends.
 class FolderLock {
  public:
-  // Waits `patience` [s] for another one that has it; InputError where it still does.
-  explicit FolderLock(const std::string& folder, double patience = 0.0);
+  // Waits `patience` [s] for another one that has it; InputError where it still does. `option` is
+  // what names another folder.
+  explicit FolderLock(const std::string& folder, double patience = 0.0,
+                      const std::string& option = "--out");
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

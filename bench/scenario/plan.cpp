@@ -97,8 +97,8 @@ std::vector<std::string> skipped_in(const ScenarioPlan& plan) {
   if (!lines.empty() && plan.runs_to_do().empty()) {
     throw InputError(
         {plan.scenario.path}, runs_by_reason.begin()->first,
-        "set MAPBED_DATA to the folder that holds the logs; 'mapbed describe' of a log "
-        "says how to get it");
+        "set MAPBED_DATA to the folder that holds the logs; 'mapbed fetch' of a log gets it, or "
+        "says how");
   }
   return lines;
 }

@@ -158,7 +158,10 @@ SourcePlan plan_recorded(const Settings& settings, HashedFiles& files) {
     if (is_here(description)) {
       recorded = described(description, files);
     } else {
-      plan.missing = fmt::format("the log '{}' is not here ({})", log.text, description.log.file);
+      const std::string fetch =
+          can_be_fetched(description) ? "; 'mapbed fetch " + log.text + "' gets it" : "";
+      plan.missing =
+          fmt::format("the log '{}' is not here ({}{})", log.text, description.log.file, fetch);
     }
   } else {
     recorded.path = path;

@@ -52,4 +52,26 @@ void GzipWriter::commit() {
   state_->file.commit();
 }
 
+std::string gzipped(std::string_view bytes, GzipForm form) {
+  CHECK(bytes.size() < std::size_t{1} << 31);  // zlib counts in 32 bits
+  z_stream stream{};
+  const int memory = form == GzipForm::gzip ? 9 : 8;
+  const int code =
+      deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, memory, Z_DEFAULT_STRATEGY);
+  CHECK(code == Z_OK);
+  gz_header header{};
+  header.os = form == GzipForm::python ? 255 : 3;  // unknown; Unix
+  deflateSetHeader(&stream, &header);
+  std::string packed(deflateBound(&stream, bytes.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  const int ended = deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  CHECK(ended == Z_STREAM_END);
+  return packed;
+}
+
 }  // namespace mapbed

@@ -22,4 +22,11 @@ class GzipWriter {
   std::unique_ptr<State> state_;
 };
 
+// A whole gzip file, packed as strongly as can be, without name and time. `plain` is what the
+// program writes; the others are what other programs write, to the byte: Python's GzipFile, and
+// gzip -9n, whose own packing is nearly always that of zlib with more memory. Another version of
+// zlib may pack otherwise.
+enum class GzipForm : int { plain, python, gzip };
+std::string gzipped(std::string_view bytes, GzipForm form);
+
 }  // namespace mapbed

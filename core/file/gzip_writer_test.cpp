@@ -30,5 +30,20 @@ TEST(GzipWriter, LeavesNothingBehindThatIsNotComplete) {
   EXPECT_EQ(folder.files(), 0u);
 }
 
+// What `printf 'mapbed\n' | gzip -9n | xxd -p` prints. Python's GzipFile does not name the system.
+TEST(GzipWriter, PacksAsOtherProgramsDoToTheByte) {
+  const auto expected = [](char system) {
+    std::string bytes(
+        "\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\x03\xcb\x4d\x2c\x48\x4a\x4d\xe1\x02\x00\x95"
+        "\xbf\x00\x73\x07\x00\x00\x00",
+        27);
+    bytes[9] = system;
+    return bytes;
+  };
+  EXPECT_EQ(gzipped("mapbed\n", GzipForm::gzip), expected('\x03'));
+  EXPECT_EQ(gzipped("mapbed\n", GzipForm::plain), expected('\x03'));
+  EXPECT_EQ(gzipped("mapbed\n", GzipForm::python), expected('\xff'));
+}
+
 }  // namespace
 }  // namespace mapbed

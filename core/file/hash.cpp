@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include "core/file/file_reader.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -91,6 +92,13 @@ std::string sha256_of_file(const std::string& path) {
     file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
     hash.add({piece.data(), static_cast<std::size_t>(file.gcount())});
   }
+  return hash.digits();
+}
+
+std::string sha256_of_content(const std::string& path) {
+  FileReader file(path);
+  Sha256 hash;
+  for (std::string_view piece; !(piece = file.next()).empty();) hash.add(piece);
   return hash.digits();
 }
 

@@ -25,6 +25,9 @@ std::string sha256(std::string_view bytes);
 // Of a file as it stands on the disk, packed or not. Throws InputError where it cannot be read.
 std::string sha256_of_file(const std::string& path);
 
+// Of what it unpacks to. Throws InputError where it is gzip that is damaged, too.
+std::string sha256_of_content(const std::string& path);
+
 std::uint32_t crc32(std::string_view bytes);  // as in ZIP, PNG and MCAP
 
 }  // namespace mapbed

@@ -1,40 +1,50 @@
 #include "core/log/log_description.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "core/config/config_node.h"
+#include "core/data_path.h"
+#include "core/file/hash.h"
+#include "core/log/public_log.h"
 
 namespace mapbed {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool is_checksum(const std::string& text) {
-  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
-
 StoredFile stored_file_of(const ConfigNode& node) {
-  const StoredFile stored{node.at("file").text(), node.at("sha256").text()};
-  if (!is_checksum(stored.sha256))
-    throw InputError(node.at("sha256").place(), "a SHA-256 has 64 hexadecimal digits, a to f small",
-                     "sha256sum prints it");
-  if (fs::path(stored.file).is_absolute())
-    throw InputError(node.at("file").place(), "the file's path must not be absolute",
-                     "give it relative to the folder MAPBED_DATA or to this file");
+  const StoredFile stored{node.at("file").text(), checksum_of(node.at("sha256"))};
+  const fs::path path = fs::path(stored.file).lexically_normal();
+  const char* const remedy = "give it relative to the folder MAPBED_DATA or to this file";
+  if (path.is_absolute())
+    throw InputError(node.at("file").place(), "the file's path must not be absolute", remedy);
+  if (!path.has_filename() || *path.begin() == "..")
+    throw InputError(node.at("file").place(), "the file's path must not lead out of the folder",
+                     remedy);
   return stored;
 }
 
-void check_checksum(const InputFile& file, const LogDescription& description,
-                    const std::string& sha256) {
-  if (file.sha256 == sha256) return;
+// What to type, or to do.
+std::string way_to_get(const LogDescription& description) {
+  if (!can_be_fetched(description)) return description.fetch;
+  const fs::path path = fs::absolute(description.yaml_path).lexically_normal();
+  const bool is_shipped = portable_path(path.string()).starts_with("scenarios/logs/");
+  const std::string name = is_shipped ? path.stem().string() : description.yaml_path;
+  return "'mapbed fetch " + name + "'";
+}
+
+void check_described(const InputFile& file, const LogDescription& description,
+                     const StoredFile& stored) {
+  if (is_described(file, description, stored)) return;
   throw InputError({file.path},
                    fmt::format("is not the file that {} describes: its SHA-256 is {}…, not {}…",
                                fs::path(description.yaml_path).filename().string(),
-                               file.sha256.substr(0, 12), sha256.substr(0, 12)),
-                   "fetch it again (" + description.fetch + "), or map it by its own path");
+                               file.sha256.substr(0, 12), stored.sha256.substr(0, 12)),
+                   "fetch it again (" + way_to_get(description) + "), or map it by its own path");
 }
 
 // Empty where it is in none of the places.
@@ -76,27 +86,56 @@ LogDescription load_log_description(const std::string& yaml_path) {
   return result;
 }
 
+std::vector<const StoredFile*> stored_files(const LogDescription& description) {
+  std::vector<const StoredFile*> files;
+  for (const StoredFile* stored : {&description.log, &description.relations,
+                                   &description.relations_odometry, &description.reference}) {
+    if (!stored->file.empty()) files.push_back(stored);
+  }
+  return files;
+}
+
+bool can_be_fetched(const LogDescription& description) {
+  const PublicLog log = load_public_log(description.yaml_path);
+  const auto files = stored_files(description);
+  return std::all_of(files.begin(), files.end(), [&log](const StoredFile* stored) {
+    return log.making(stored->file) != nullptr;
+  });
+}
+
+bool is_described(const InputFile& file, const LogDescription& description,
+                  const StoredFile& stored) {
+  if (file.sha256 == stored.sha256) return true;
+  const PublicLog log = load_public_log(description.yaml_path);
+  const MadeFile* const made = log.making(stored.file);
+  if (made == nullptr) return false;
+  try {
+    return sha256_of_content(file.path) == made->content;
+  } catch (const InputError&) {  // damaged
+    return false;
+  }
+}
+
 InputFile find_stored(const LogDescription& description, const StoredFile& stored,
                       HashedFiles& files) {
   const std::string place = place_of(description, stored);
   if (!place.empty()) {
     const InputFile& file = files.at(place);
-    check_checksum(file, description, stored.sha256);
+    check_described(file, description, stored);
     return file;
   }
   const std::string kind = stored.file == description.log.file ? "log" : "file";
   throw InputError({description.yaml_path},
                    fmt::format("its {} '{}' is not here", kind, stored.file),
                    fmt::format("get it ({}) and set MAPBED_DATA to the folder that holds '{}'",
-                               description.fetch, stored.file));
+                               way_to_get(description), stored.file));
 }
 
 bool is_here(const LogDescription& description) {
-  for (const StoredFile* stored : {&description.log, &description.relations,
-                                   &description.relations_odometry, &description.reference}) {
-    if (!stored->file.empty() && place_of(description, *stored).empty()) return false;
-  }
-  return true;
+  const auto files = stored_files(description);
+  return std::all_of(files.begin(), files.end(), [&](const StoredFile* stored) {
+    return !place_of(description, *stored).empty();
+  });
 }
 
 RecordedLog open_log(const std::string& path, const Settings& settings) {

@@ -15,7 +15,7 @@
 //   sha256: 0f…                          of the file as it is stored
 //   source: …                            who recorded it, and where it was published
 //   licence: …
-//   fetch: …                             how to get the file
+//   fetch: …                             how to get the file; for `mapbed fetch`: public_log.h
 //   robot: …
 //   laser: …
 //   pieces: [ … ]                        where it was rebuilt: from which public files
@@ -53,9 +53,19 @@ struct LogDescription {
 // relations and reference.
 LogDescription load_log_description(const std::string& yaml_path);
 
+// Its files: the log, then what there is of relations, their odometry, and the reference.
+std::vector<const StoredFile*> stored_files(const LogDescription& description);
+
+// Whether `mapbed fetch` can make all of them.
+bool can_be_fetched(const LogDescription& description);
+
+// Whether the file at this path, of this SHA-256, is the one that is described: by its bytes or,
+// where it was packed by another program, by what it unpacks to.
+bool is_described(const InputFile& file, const LogDescription& description,
+                  const StoredFile& stored);
+
 // Where a file of the description is: $MAPBED_DATA/<file>, or <file> beside the YAML file. Throws
-// InputError where it is in neither place, with the way to get it, or where its checksum is another
-// one.
+// InputError where it is in neither place, with the way to get it, or where it is another one.
 InputFile find_stored(const LogDescription& description, const StoredFile& stored,
                       HashedFiles& files);
 

@@ -52,7 +52,7 @@ const std::map<std::string, std::vector<Levels>> kInnerOrder = {
       {{"registration3d"}, {"surface"}, {"nonrigid", "exploration", "flight"}}}},
     {"bench",
      {{{"process", "plot", "metrics", "faults"},
-       {"results", "methods"},
+       {"results", "methods", "fetch"},
        {"sources"},
        {"experiments"},
        {"scenario"},

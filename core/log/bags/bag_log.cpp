@@ -102,6 +102,7 @@ void BagLog::take_scan(int topic, double time, RosInput& in) {
   auto& scans = readings_.scans[topic];
   BagScan read{messages_, message.header.frame};
   message.header.stamp = stamp_of(message.header, time, topic);
+  if (watcher_) watcher_(message);
   ConvertedScan scan = converted(std::move(message));
   if (!scan.remark.empty()) builder_.warn(messages_, scan.remark);
   read.field_of_view = scan.field_of_view;

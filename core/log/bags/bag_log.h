@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/log/bags/bag_assembly.h"
 #include "core/log/ros/ros_messages.h"
@@ -34,6 +36,10 @@ class BagLog {
   // The bag itself is damaged or odd; what could be read counts.
   void remark(const std::string& reason, const std::string& example = {});
 
+  // Called with each scan as the bag has it, before anything is made of it.
+  void watch_scans(std::function<void(const RosLaserScan&)> watcher) {
+    watcher_ = std::move(watcher);
+  }
   void count_only() { is_counting_ = true; }  // for contents() alone
   BagContents contents(const std::string& format) const;
   RecordedLog finish(const std::string& format);  // throws InputError
@@ -58,6 +64,7 @@ class BagLog {
   bool has_several_lasers_ = false;  // of which none is named
   std::string damage_;               // the first remark
   std::string part_;                 // path of the file that is read, where there are several
+  std::function<void(const RosLaserScan&)> watcher_;
 };
 
 }  // namespace mapbed
