@@ -22,7 +22,8 @@ std::map<int, int> matches_in(const TrackingFrame& frame, const std::map<int, in
   const auto tracks = index_by_id(frame.tracks);
   std::map<int, int> matches;
   TrackingFrame left = frame;
-  for (const auto& [truth_id, track_id] : before) {
+  for (const auto& match : before) {
+    const int truth_id = match.first, track_id = match.second;
     const auto truth = truths.find(truth_id);
     const auto track = tracks.find(track_id);
     if (truth == truths.end() || track == tracks.end()) continue;
