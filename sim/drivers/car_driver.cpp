@@ -20,6 +20,7 @@ constexpr double kOffPath = 0.25;           // [m] further from its path it plan
 constexpr double kNearerThanPlanned = 0.7;  // of people_margin: then it stops
 constexpr double kAtEnd = 0.03;             // [m]
 constexpr double kStandOff = 4.0;           // times its patience: then it makes room ...
+constexpr double kGotOn = 0.05;             // [m]
 constexpr double kRetreat = 1.5;            // [m] ... by so much
 constexpr double kLongestPause = 30.0;      // [s] between plans that came to nothing
 constexpr int kDetour = 12'000;             // places that are tried for a way round somebody
@@ -190,9 +191,20 @@ DriveCommand CarDriver::pursue() const {
   return {.forward_velocity = speed, .turn_velocity = curvature * speed};
 }
 
+// Else something is in its way that it does not plan for, as a door's leaf.
+bool CarDriver::gets_on(double time) {
+  const Vector2d here = axle().position();
+  if ((here - got_to_).norm() > kGotOn) {
+    got_to_ = here;
+    got_on_at_ = time;
+  }
+  return time - got_on_at_ < kStandOff * std::max(options_.patience, 1.0);
+}
+
 // Back the way it came, as far as that is free, and on again from there; once at each place, so
 // that who stays in its way is told in the end.
 void CarDriver::make_room() {
+  if (at_ <= made_room_at_) return;
   const std::size_t here = at_;
   std::size_t back = here;
   double way = 0.0;
@@ -222,10 +234,11 @@ DriveCommand CarDriver::give_way(double time) {
   if (wait_since_ < 0.0) wait_since_ = time;
   const double waited = time - wait_since_;
   if (waited >= options_.patience) try_plan(time, simulation_.obstacles());
-  if (waited >= kStandOff * options_.patience && at_ > made_room_at_) {
+  if (waited >= kStandOff * options_.patience) {
     make_room();
     wait_since_ = -1.0;
   }
+  got_on_at_ = time;
   return {};
 }
 
@@ -254,12 +267,17 @@ DriveCommand CarDriver::command(double time) {
     is_done_ = is_planned_end && planned_ == path_.points.size();
     if (!is_planned_end) ++at_;
     if (is_planned_end && !is_done_) go_on_from_dead_end(time);
+    got_on_at_ = std::max(time, pause_until_);
     return last_ = {};
   }
   // Pushed off its path; where there is no way on from here either, it stays on what it has.
   if ((plan_[at_].pose.position() - here.position()).norm() > kOffPath) try_plan(time, {});
   if (!is_free_of_people()) return last_ = give_way(time);
   wait_since_ = -1.0;
+  if (!gets_on(time)) {
+    make_room();
+    got_on_at_ = time;
+  }
   return last_ = pursue();
 }
 

@@ -42,6 +42,7 @@ class CarDriver : public Driver {
   DriveCommand pursue() const;
   double speed_to(std::size_t end, double curvature) const;
   DriveCommand give_way(double time);
+  bool gets_on(double time);
   void make_room();
 
   const Simulation& simulation_;
@@ -55,12 +56,14 @@ class CarDriver : public Driver {
   std::size_t planned_ = 1;         // plan_ leads to the way-points before this one
   bool is_dead_end_ = false;        // ... and there is no way to this one from there
   std::size_t made_room_at_ = 0;    // in plan_: where it last made room
-  double length_ = 0.0;             // [m] of the plan in the beginning
-  double pause_until_ = -1.0;       // [s]
-  double wait_since_ = -1.0;        // [s] somebody is in the way; -1: nobody
-  double asked_ = -1.0;             // [s] last decision
-  double plan_after_ = 0.0;         // [s] next time that it may plan ...
-  double plan_pause_ = 0.0;         // [s] ... and how long it waits after that if there is no way
+  Eigen::Vector2d got_to_ = Eigen::Vector2d::Zero();  // [m] where it last ...
+  double got_on_at_ = 0.0;                            // [s] ... and when it had come some way
+  double length_ = 0.0;                               // [m] of the plan in the beginning
+  double pause_until_ = -1.0;                         // [s]
+  double wait_since_ = -1.0;                          // [s] somebody is in the way; -1: nobody
+  double asked_ = -1.0;                               // [s] last decision
+  double plan_after_ = 0.0;                           // [s] next time that it may plan ...
+  double plan_pause_ = 0.0;  // [s] ... and how long it waits after that if there is no way
   DriveCommand last_;
   bool is_done_ = false;
 };

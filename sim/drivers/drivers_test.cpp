@@ -192,6 +192,30 @@ TEST(CarDriver, WhoStaysInItsWayIsToldAfterItMadeRoomOnce) {
             60.0);  // 10 s to get there, 12 s before it makes room, 20 s stuck
 }
 
+// The map that it plans with has no leaves of doors; this one never opens.
+TEST(CarDriver, MakesRoomWhereSomethingStopsItThatItDoesNotSee) {
+  World world = small_room(9.0, 2.0);
+  world.paths = {{.name = "along", .points = {{{1.0, 1.0}}, {{8.0, 1.0}}}}};
+  world.entities.push_back(block("door", {0.9, 0.0}, {1.8, 0.04}));
+  world.entities.back().kind = EntityKind::door;
+  world.doors.push_back({.entity = static_cast<int>(world.entities.size()) - 1,
+                         .world_from_hinge = {5.0, 0.1, kPi / 2.0},
+                         .width = 1.8,
+                         .opens_within = 0.0});
+  Simulation simulation(world, robot_with(DriveKind::ackermann), start_of(world.paths[0]), {},
+                        Rng(3));
+  const auto driver = configure_driver("car").make(simulation, world.paths[0]);
+  double farthest = 0.0, back = 0.0;  // [m]
+  while (simulation.now().time < 40.0) {
+    simulation.step(driver->command(simulation.now().time));
+    const double x = simulation.now().robot.x;
+    farthest = std::max(farthest, x);
+    back = std::max(back, farthest - x);
+  }
+  EXPECT_NEAR(farthest, 5.0 - 0.02 - 0.25, 0.05);  // its nose at the leaf
+  EXPECT_GT(back, 1.0);
+}
+
 // Somebody stands on the goal in a large room: every search for a way round is in vain, and takes
 // milliseconds. Without patience it would search at each of its 160 decisions.
 TEST(CarDriver, LooksForAWayRoundTheLessOftenTheLongerThereIsNone) {
