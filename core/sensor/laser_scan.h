@@ -17,7 +17,7 @@ struct ScanPart {
 
 // One sweep of a laser range finder whose beams lie in one plane.
 struct LaserScan {
-  double time = 0.0;  // [s] the log's own absolute stamp; of the first beam where they have a period
+  double time = 0.0;  // [s] the log's own stamp; of the first beam where they have a period
   int laser = 0;      // of the robot's lasers: 0 front, 1 rear, further ones as the log counts them
   Mount robot_from_laser;
   double first_bearing = 0.0;  // [rad] of ranges[0], in the laser frame
