@@ -180,7 +180,7 @@ TEST_F(Kills, OverAnUnfinishedOneOfAnotherConfigurationLeaveNothingOfIt) {
     const std::string journal = path("before/runs/journal");
     if (fs::exists(journal) && fs::file_size(journal) > 250) break;
   }
-  EXPECT_THAT(call(run_of("wanted", "before")).err, HasSubstr("--restart throws them away"));
+  EXPECT_THAT(call(run_of("wanted", "before")).err, HasSubstr("--restart throws these runs away"));
   auto run = run_of("wanted", "result");
   run.push_back("--restart");
   kill_everywhere("before", run, run, "whole", "the other question");

@@ -128,12 +128,13 @@ void refuse_other_runs(const std::string& folder, const std::string& identity) {
     const std::string found = identity_in(folder, staging);
     if (found.empty() || found == identity) continue;
     const bool is_configuration = is_of_other_configuration(found, identity);
-    throw InputError({journal_in(folder, staging)},
-                     is_configuration ? "these runs are of another version of the scenario, other "
-                                        "settings or another seed"
-                                      : "these runs are of another version of the program",
-                     "let all shards have the same; --restart throws these runs away, --out "
-                     "chooses another folder");
+    throw InputError(
+        {journal_in(folder, staging)},
+        is_configuration ? "these runs are of another version of the scenario, other "
+                           "settings or another seed"
+                         : "these runs are of another version of the program",
+        std::string(staging == StagingFolder::kStaging ? "" : "let all shards have the same; ") +
+            "--restart throws these runs away, --out chooses another folder");
   }
 }
 

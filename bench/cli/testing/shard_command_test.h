@@ -8,8 +8,6 @@
 #include <thread>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "bench/cli/testing/command_test.h"
 
 namespace mapbed {
@@ -18,28 +16,7 @@ namespace mapbed {
 // on as long as there is a file hold_3, where 3 is the number of the task, and notes it in held_3.
 class ShardCommand : public CommandTest {
  protected:
-  explicit ShardCommand(int seeds = 12) {  // of each there are four runs
-    write("held.yaml",
-          fmt::format("about: odometry\nprogram: sh\nshell: |\n"
-                      "  hold={0}/hold_$SLURM_ARRAY_TASK_ID\n"
-                      "  if [ {{seed}} -ge 6 ] && [ -e $hold ]; then\n"
-                      "    echo held >> {0}/held_$SLURM_ARRAY_TASK_ID\n"
-                      "    while [ -e $hold ]; do sleep 0.05; done\n"
-                      "  fi\n"
-                      "  awk '/^ROBOTLASER/ {{print $(NF-2), $(NF-10), $(NF-9), $(NF-8)}}' {{log}} "
-                      ">trajectory.tum\n",
-                      path()));
-    write(
-        "sweep.yaml",
-        fmt::format("about: short drives\nworld: corridor\nrobot: pioneer\npeople: 0\n"
-                    "recorder.longest: 2 s\nseries_step: 1 s\nseed: 1\nseeds: {}\n"
-                    "sweep: {{robot.odometry.rotation_sigma: [0 deg, 3 deg]}}\n"
-                    "compare: {{raw: {{estimator: odometry}}, held: {{estimator: ./held.yaml}}}}\n"
-                    "metrics: [translation_error, failures, position_error]\n"
-                    "plots: [{{y: translation_error}}, {{kind: series, y: position_error}}]\n"
-                    "claims: [{{metric: failures, of: raw, at_most: held}}]\n",
-                    seeds));
-  }
+  explicit ShardCommand(int seeds = 12);  // of each there are four runs
 
   Outcome run(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"run", "./sweep.yaml", "--out", "r"});
