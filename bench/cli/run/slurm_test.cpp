@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -61,34 +62,41 @@ class Slurm : public ShardCommand {
     start();
   }
   void TearDown() override {
-    shell(
-        "[ -e s/slurmctld.pid ] && scancel --me\n"
-        "for p in slurmd slurmctld munged; do [ -e s/$p.pid ] || continue\n"
-        "  n=$(cat s/$p.pid); kill $n\n"
-        "  for i in $(seq 300); do kill -0 $n 2> /dev/null || break; sleep 0.1; done\n"
-        "done");
     unsetenv("SLURM_CONF");
+    if (slurm_.empty()) return;
+    shell(
+        fmt::format("cd {}; export SLURM_CONF=$PWD/slurm.conf\n"
+                    "[ -e slurmctld.pid ] && scancel --me\n"
+                    "for p in slurmd slurmctld munged; do [ -e $p.pid ] || continue\n"
+                    "  n=$(cat $p.pid); kill $n\n"
+                    "  for i in $(seq 300); do kill -0 $n 2> /dev/null || break; sleep 0.1; done\n"
+                    "done",
+                    slurm_));
+    fs::remove_all(slurm_);
   }
 
   void start() {
-    for (const char* name : {"s/state", "s/spool", "s/munge"}) fs::create_directories(path(name));
-    fs::permissions(path(""), fs::perms(0755));
-    fs::permissions(path("s/munge"), fs::perms(0711));
+    std::string made = "/tmp/mapbed_slurm_XXXXXX";  // short: a socket's name has 107 letters
+    ASSERT_NE(mkdtemp(made.data()), nullptr);
+    slurm_ = made;
+    for (const char* name : {"state", "spool", "munge"}) fs::create_directory(made + "/" + name);
+    fs::permissions(made, fs::perms(0755));
+    fs::permissions(made + "/munge", fs::perms(0711));
     const std::string host = shell("hostname -s | tr -d '\\n'").out;
     const int port = 20'000 + 2 * (getpid() % 6'000);  // below those that the system gives away
-    write(
-        "s/slurm.conf",
-        fmt::format(fmt::runtime(kSlurm), fmt::arg("host", host), fmt::arg("controller_port", port),
-                    fmt::arg("node_port", port + 1), fmt::arg("folder", path("s"))));
-    setenv("SLURM_CONF", path("s/slurm.conf").c_str(), 1);
-    const Outcome started = shell(
-        "set -e; PATH=$PATH:/usr/sbin; cd s\n"
-        "head -c 128 /dev/urandom > munge.key; chmod 600 munge.key\n"
-        "munged --force --num-threads=1 --key-file=$PWD/munge.key --socket=$PWD/munge/socket"
-        " --pid-file=$PWD/munged.pid --log-file=$PWD/munged.log --seed-file=$PWD/munge.seed\n"
-        "slurmctld -c; slurmd\n"
-        "for i in $(seq 600); do sinfo -h -o %t | grep -q idle && exit 0; sleep 0.1; done\n"
-        "tail -n 5 slurmctld.log slurmd.log; exit 1");
+    std::ofstream(made + "/slurm.conf") << fmt::format(
+        fmt::runtime(kSlurm), fmt::arg("host", host), fmt::arg("controller_port", port),
+        fmt::arg("node_port", port + 1), fmt::arg("folder", made));
+    setenv("SLURM_CONF", (made + "/slurm.conf").c_str(), 1);
+    const Outcome started =
+        shell("set -e; PATH=$PATH:/usr/sbin; cd " + made +
+              "\n"
+              "head -c 128 /dev/urandom > munge.key; chmod 600 munge.key\n"
+              "munged --force --num-threads=1 --key-file=$PWD/munge.key --socket=$PWD/munge/socket"
+              " --pid-file=$PWD/munged.pid --log-file=$PWD/munged.log --seed-file=$PWD/munge.seed\n"
+              "slurmctld -c; slurmd\n"
+              "for i in $(seq 600); do sinfo -h -o %t | grep -q idle && exit 0; sleep 0.1; done\n"
+              "tail -n 5 slurmctld.log slurmd.log; exit 1");
     ASSERT_EQ(started.status, 0) << started.out << started.err;
   }
 
@@ -109,6 +117,8 @@ class Slurm : public ShardCommand {
   bool status_has(const std::string& words) const {
     return comes_true([&] { return run({"--status"}).out.find(words) != std::string::npos; });
   }
+
+  std::string slurm_;  // folder of the daemons
 };
 
 TEST_F(Slurm, AnArrayJobWithATaskKilledTwiceGivesTheTablesOfOneMachine) {
