@@ -255,10 +255,12 @@ void FilmPainter::draw_words(const CourseStep* step, double time) {
     words += fmt::format(", estimate off by {:.2f} m", distance(*truth, path_.back()));
   }
   draw_text(frame_, {kMargin, middle + 5.0}, words, {.size = kTextSize});
-  const double most = 0.7 * view_.width();
-  const double left = view_.width() - kMargin - 0.25 * most - 60.0;
-  if (left > kMargin + text_width(words, kTextSize) + 20.0) {
+  // As long as there is room for beside the words.
+  for (const double most : {0.7 * view_.width(), 0.4 * view_.width()}) {
+    const double left = view_.width() - kMargin - 0.25 * most - 60.0;
+    if (left < kMargin + text_width(words, kTextSize) + 20.0) continue;
     draw_scale_bar(frame_, {left, middle}, view_.pixels_per_meter(), most);
+    return;
   }
 }
 
