@@ -2,6 +2,8 @@
 
 #include <type_traits>
 
+#include "algorithms/people/leg_filter.h"
+#include "algorithms/people/tracking_filter.h"
 #include "algorithms/visibility/ever_free.h"
 #include "algorithms/visibility/saturated_map.h"
 #include "algorithms/visibility/visibility_vote.h"
@@ -32,6 +34,11 @@ BeamFilterEntry filter(const std::string& name, const std::string& about,
 
 const std::vector<BeamFilterEntry>& beam_filters() {
   static const std::vector<BeamFilterEntry> table{
+      filter<PeopleFilter, PeopleFilter::Options>(
+          "people", "people who are followed by joint probabilistic data association, chapter 3"),
+      filter<KalmanPeopleFilter, KalmanPeopleFilter::Options>(
+          "kalman", "people who are followed by Kalman filters, each with the nearest feature"),
+      filter<LegFilter, LegFilterOptions>("legs", "legs that moved, without a tracker, 3.4.3"),
       filter<EverFree, EverFreeOptions>(
           "ever_free", "whatever is seen where a place was ever surely free, as DUFOMap does"),
       filter<SaturatedMap, SaturatedMapOptions>(

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "algorithms/people/leg_features.h"
+#include "algorithms/people/scan_view.h"
+#include "algorithms/people/sightings.h"
+#include "algorithms/people/track_life.h"
+#include "core/geometry/pose2.h"
+
+namespace mapbed {
+
+// What a tracker is given of one scan.
+struct ScanSightings {
+  ScanView view;
+  Pose2 local_from_robot;
+  std::vector<LegFeature> features;
+  std::vector<SeenBefore> before;  // of each feature
+  std::vector<Sighting> sightings;
+
+  double time() const { return view.scan().time; }
+
+  // What the scan sees at a place of the local frame.
+  SeenBefore at(const Eigen::Vector2d& place) const {
+    constexpr double kRadius = 0.07;     // [m]
+    constexpr double kAside = 0.05;      // [m]
+    constexpr double kTolerance = 0.15;  // [m]
+    return seen_at(view, inverse(local_from_robot) * place, kRadius, kAside, kTolerance);
+  }
+};
+
+// Of somebody who is seen for the first time.
+inline Sighted first_of(const ScanSightings& scan, const Sighting& sighting) {
+  return {.is_seen = true,
+          .before = sighting.before,
+          .at_start = SeenBefore::same,
+          .position = sighting.position,
+          .from_robot = inverse(scan.local_from_robot) * sighting.position};
+}
+
+}  // namespace mapbed
