@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "algorithms/people/people_in_a_room.h"
+#include "algorithms/people/testing/people_in_a_room.h"
 #include "algorithms/people/sightings.h"
 
 namespace mapbed {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/people/leg_filter.h"
-#include "algorithms/people/people_in_a_room.h"
+#include "algorithms/people/testing/people_in_a_room.h"
 
 namespace mapbed {
 namespace {
