@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "algorithms/people/testing/people_in_a_room.h"
 #include "algorithms/people/sightings.h"
+#include "algorithms/people/testing/people_in_a_room.h"
 
 namespace mapbed {
 namespace {
