@@ -16,7 +16,7 @@ struct KalmanTrackerOptions {
   double acceleration = 0.7;  // [m/s] after 1 s
   double speed_sigma = 0.8;   // [m/s]
   double gate = 3.0;
-  double place_penalty = 4.0;
+  double place_penalty = 16.0;
   double body_radius = 0.15;  // [m]
   TrackLifeOptions life;
 };
