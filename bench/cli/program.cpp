@@ -13,7 +13,7 @@ int run_program(int argc, const char* const* argv) {
       .footer =
           "'mapbed COMMAND --help' tells more about a command, 'mapbed list' what there is,\n"
           "'mapbed describe NAME' every option of it, 'mapbed describe FILE' what a file holds.\n"
-          "Exit status: 0 done, 1 wrong input, 2 claims not held, 3 interrupted.",
+          "Exit status: 0 done, 1 wrong input, 2 claims not held (--strict), 3 interrupted.",
       .version = version_text,
       .commands = {run_command(), map_command(), evaluate_command(), render_command(),
                    report_command(), list_command(), describe_command(), simulate_command(),

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -26,6 +27,7 @@
 #include "core/image/pdf.h"
 #include "core/image/png.h"
 #include "core/input_error.h"
+#include "worlds/worlds.h"
 
 namespace mapbed {
 namespace {
@@ -81,6 +83,28 @@ RgbImage picture_of_map(const RenderArguments& arguments) {
   return picture_of(map, paths, arguments.picture);
 }
 
+bool is_name_of_world(const std::string& name) {
+  const std::vector<std::string> files = world_file_names();
+  return std::find(files.begin(), files.end(), name) != files.end() ||
+         std::any_of(world_kinds().begin(), world_kinds().end(),
+                     [&](const WorldKind& kind) { return kind.name == name; });
+}
+
+// A folder stands for the map in it.
+std::string map_in_folder(const std::string& path) {
+  if (!std::filesystem::is_directory(path) || is_name_of_world(path)) return path;
+  const std::filesystem::path map = std::filesystem::path(path) / "map.yaml";
+  if (std::filesystem::exists(map)) return map.string();
+  throw InputError({path}, "is a folder without a map.yaml, of which no picture is made",
+                   "name a map in it; a film of a run ends in .gif, .webp or .mp4");
+}
+
+// "drive" of drive.yaml and of drive/map.yaml.
+std::string name_of_map(const std::filesystem::path& path) {
+  const bool is_of_folder = path.stem() == "map" && path.has_parent_path();
+  return is_of_folder ? path.parent_path().filename().string() : path.stem().string();
+}
+
 RgbImage picture_of_maps(const RenderArguments& arguments) {
   if (!arguments.trajectories.empty()) {
     throw InputError("--trajectory is drawn over one map, and there are several");
@@ -90,9 +114,8 @@ RgbImage picture_of_maps(const RenderArguments& arguments) {
     if (is_world(path)) {
       throw InputError({path}, "is a world; only maps are drawn together");
     }
-    const std::string name = maps.size() < arguments.names.size()
-                                 ? arguments.names[maps.size()]
-                                 : std::filesystem::path(path).stem().string();
+    const std::string name =
+        maps.size() < arguments.names.size() ? arguments.names[maps.size()] : name_of_map(path);
     maps.push_back({name, read_map(path, resolution_of(arguments))});
   }
   return figure_of(maps, arguments.picture.longest_side);
@@ -182,6 +205,7 @@ int render(RenderArguments arguments) {
                       {"--to", !film.to.empty()}},
                      "is of a film: name a file ending in .gif, .webp or .mp4");
   arguments.picture.longest_side = arguments.longest_side.value_or(arguments.picture.longest_side);
+  for (std::string& map : arguments.maps) map = map_in_folder(map);
   check_writable(arguments.output);
   refuse_foreign_picture(arguments.output);
   const RgbImage image = while_told("drawing", [&] { return picture_of(arguments); });
@@ -209,8 +233,9 @@ Command render_command() {
           {{.name = "MAP|WORLD|RUN",
             .target = &a.maps,
             .help =
-                "map.yaml as map servers read it, or a .png or .pgm with such a file beside it; "
-                "several are drawn at one scale; or a world's name or file; for a film, the folder "
+                "map.yaml as map servers read it, its folder, or a .png or .pgm with such a file "
+                "beside it; several are drawn at one scale; or a world's name or file; for a film, "
+                "the folder "
                 "that 'mapbed map' or 'mapbed run' has written, or a scenario's name or file",
             .is_required = true},
            {.name = "-o,--out,--output",

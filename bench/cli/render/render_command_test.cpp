@@ -1,6 +1,7 @@
 // `mapbed render` from the command line to the picture.
 
 #include <filesystem>
+#include <regex>
 
 #include <gmock/gmock.h>
 
@@ -63,6 +64,27 @@ TEST_F(RenderCommand, DrawsSeveralMapsInOneFigureAsPngOrPdf) {
   expect_refusal({"render", "room.yaml", "office", "-o", "x.png"}, "only maps are drawn together");
   expect_refusal({"render", "room.yaml", "room.yaml", "-o", "x.png", "--trajectory", "drive.txt"},
                  "--trajectory is drawn over one map");
+}
+
+TEST_F(RenderCommand, AFolderStandsForTheMapInItButForThoseCalledAsAWorld) {
+  for (const char* folder : {"first", "second", "office"}) {
+    fs::create_directory(path(folder));
+    fs::copy_file(path("room.pgm"), path(std::string(folder) + "/map.pgm"));
+    write(std::string(folder) + "/map.yaml",
+          std::regex_replace(text("room.yaml"), std::regex("room"), "map"));
+  }
+  EXPECT_EQ(call({"render", "first", "-o", "a.png"}).status, 0);
+  EXPECT_EQ(call({"render", "first/map.yaml", "-o", "b.png"}).status, 0);
+  EXPECT_EQ(read_samples(path("a.png")), read_samples(path("b.png")));
+  EXPECT_EQ(call({"render", "first", "second", "-o", "two.png"}).status, 0);
+  EXPECT_EQ(call({"render", "room.yaml", "room.yaml", "-o", "same.png"}).status, 0);
+  EXPECT_NE(read_samples(path("two.png")), read_samples(path("same.png"))) << "by their folders";
+  EXPECT_EQ(call({"render", "office", "-o", "world.png"}).status, 0);
+  EXPECT_NE(read_samples(path("world.png")), read_samples(path("a.png")));
+  fs::create_directory(path("third"));
+  expect_refusal({"render", "third", "-o", "x.png"},
+                 "third: is a folder without a map.yaml, of which no picture is made; name a map "
+                 "in it; a film of a run ends in .gif, .webp or .mp4");
 }
 
 TEST_F(RenderCommand, SaysWhatIsWrongWithAWorld) {

@@ -6,8 +6,12 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/run/run_told.h"
+#include "bench/scenario/staging_folder.h"
+#include "bench/shards/merging.h"
+#include "bench/shards/shard_folders.h"
 #include "bench/shards/shard_run.h"
 #include "bench/shards/submission.h"
+#include "core/input_error.h"
 
 namespace mapbed {
 namespace {
@@ -19,6 +23,17 @@ void print_state(const std::string& id, const ShardsState& state) {
   }
   if (!state.job.empty()) fmt::print("submitted as job {}\n", state.job);
   if (!state.remark.empty()) fmt::print("remark: {}\n", state.remark);
+}
+
+// A finished result that another program made, or another configuration: nothing is missing there,
+// and nothing of this plan is in.
+void refuse_other_result(const ScenarioPlan& plan, const std::string& folder) {
+  const bool is_of_other = !finished_identity(folder).empty() && !is_finished(plan, folder);
+  if (!is_of_other || !shards_in(folder).empty()) return;
+  throw InputError({folder},
+                   "holds the finished result of another version of the program, of the scenario "
+                   "or of its settings, and no shard has begun to make it anew",
+                   "start shards where it shall be made anew");
 }
 
 // The first one that has to be started, again or at all.
@@ -62,6 +77,7 @@ int do_slurm(const ScenarioPlan& plan, const ScenarioRunOptions& options, int sh
 }
 
 int do_status(const ScenarioPlan& plan, const ScenarioRunOptions& options, bool strict) {
+  refuse_other_result(plan, options.folder);
   const ShardsState state = while_working(
       plan.scenario.id, plan.runs_to_do().size(),
       [&](const MayGoOn& may_go_on) { return state_of_shards(plan, options, may_go_on); });

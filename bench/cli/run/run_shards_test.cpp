@@ -107,6 +107,17 @@ TEST_F(RunShards, OfAFinishedResultAreNotDoneAgain) {
   expect_refused(run({"--shard", "2/3", "--restart"}), "r: all runs of this result are done");
 }
 
+TEST_F(RunShards, OfAResultThatAnotherConfigurationMadeNoneIsMissing) {
+  ASSERT_EQ(run({}).status, 0);
+  EXPECT_EQ(with_programs("--status").status, 0);
+  const Outcome other = with_programs("--status --seed 7");
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.err,
+              HasSubstr("r: holds the finished result of another version of the program, of the "
+                        "scenario or of its settings, and no shard has begun to make it anew; "
+                        "start shards where it shall be made anew"));
+}
+
 TEST_F(RunShards, WithWrongWordsAreRefusedInOneLine) {
   const auto refuse = [&](const std::vector<std::string>& more, const std::string& message) {
     expect_refused(run(more), message);
