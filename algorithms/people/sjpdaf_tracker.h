@@ -17,7 +17,7 @@ namespace mapbed {
 struct SjpdafOptions {
   int particles = 200;
   double detection = 0.8;
-  double false_alarms = 0.02;       // [1/m^2]
+  double false_alarms = 0.02;        // [1/m^2]
   double place_false_alarms = 15.0;  // [1/m^2]
   double gate = 3.0;
   double discount = 0.2;
