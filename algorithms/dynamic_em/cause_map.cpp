@@ -6,29 +6,12 @@
 #include <fmt/format.h>
 
 #include "algorithms/dynamic_em/beam_expectation.h"
+#include "algorithms/grid/cells_about.h"
 #include "algorithms/grid/traversal.h"
-#include "core/check.h"
+#include "algorithms/scan/scans_on_path.h"
 #include "core/input_error.h"
 
 namespace mapbed {
-namespace {
-
-// visit(scan, pose) for each scan of the path.
-template <class Visitor>
-void for_each_scan(const SensorLog& log, const Trajectory& map_from_robot, Visitor&& visit) {
-  auto next = map_from_robot.begin();
-  for (const Measurement& measurement : log) {
-    const auto* scan = std::get_if<LaserScan>(&measurement);
-    if (scan == nullptr || !scan->robot_from_laser.is_level()) continue;
-    if (next == map_from_robot.end()) return;  // of a log that was not read to its end
-    CHECK(next->time == scan->time);
-    visit(*scan, next->pose);
-    ++next;
-  }
-  CHECK(next == map_from_robot.end());
-}
-
-}  // namespace
 
 CauseMap::CauseMap(const SensorLog& log, const Trajectory& map_from_robot,
                    const CauseMapOptions& options)
@@ -38,7 +21,7 @@ CauseMap::CauseMap(const SensorLog& log, const Trajectory& map_from_robot,
                      "at 0.5 or less every place that a beam ever passed would fade");
   }
   TiledGrid<Cell>::Writer writer(cells_);
-  for_each_scan(log, map_from_robot, [&](const LaserScan& scan, const Pose2& pose) {
+  for_each_scan_on_path(log, map_from_robot, [&](const LaserScan& scan, const Pose2& pose) {
     for_each_beam(scan, pose, options_.beams, [&](std::size_t, const Beam& beam) {
       const double sides = 1.0 / cells_.resolution();
       const auto pass = [&](CellIndex cell, double length) {
@@ -60,14 +43,10 @@ double CauseMap::m_of(const Cell& cell) const {
 }
 
 double CauseMap::largest_m_about(CellIndex index) const {
-  double largest = options_.least_m;
-  for (int y = index.y - 1; y <= index.y + 1; ++y) {
-    for (int x = index.x - 1; x <= index.x + 1; ++x) {
-      const Cell& cell = cells_[{x, y}];
-      if (cell.ends > 0.0F) largest = std::max(largest, m_of(cell));
-    }
-  }
-  return largest;
+  return largest_about(index, [&](CellIndex about) {
+    const Cell& cell = cells_[about];
+    return cell.ends > 0.0F ? m_of(cell) : options_.least_m;
+  });
 }
 
 void CauseMap::step() {
@@ -107,7 +86,7 @@ double CauseMap::marginal_log_likelihood() const {
 
 BeamLabels CauseMap::labels(const SensorLog& log, const Trajectory& map_from_robot) const {
   BeamLabels labels;
-  for_each_scan(log, map_from_robot, [&](const LaserScan& scan, const Pose2& pose) {
+  for_each_scan_on_path(log, map_from_robot, [&](const LaserScan& scan, const Pose2& pose) {
     ScanLabels& of_scan = labels.emplace_back();
     of_scan = {scan.time, scan.laser, std::vector<float>(scan.ranges.size(), kNoLabel)};
     for_each_beam(scan, pose, options_.beams, [&](std::size_t n, const Beam& beam) {

@@ -79,24 +79,24 @@ void DynamicEm::finish() {
       .p_static = options_.p_static, .resolution = options_.resolution, .beams = options_.beams};
   IterationValues expected{"log_likelihood", Unit::none, {}};
   IterationValues marginal{"marginal_log_likelihood", Unit::none, {}};
+  std::optional<CauseMap> map;  // of the newest path
   double best = -HUGE_VAL;
   bool has_settled = false;
   for (int i = 0; i < options_.iterations && !has_settled; ++i) {
     if (i > 0 && options_.register_again) path = registered(*found_->labels);
-    CauseMap map(log_, path.trajectory, of_map);
+    if (i == 0 || options_.register_again) map.emplace(log_, path.trajectory, of_map);
     if (i == 0) {
-      expected.values.push_back(map.expected_log_likelihood());
-      marginal.values.push_back(map.marginal_log_likelihood());
+      expected.values.push_back(map->expected_log_likelihood());
+      marginal.values.push_back(map->marginal_log_likelihood());
     }
-    const int steps = options_.register_again ? options_.map_steps : options_.map_steps * (i + 1);
-    for (int k = 0; k < steps; ++k) map.step();
-    expected.values.push_back(map.expected_log_likelihood());
-    marginal.values.push_back(map.marginal_log_likelihood());
+    for (int k = 0; k < options_.map_steps; ++k) map->step();
+    expected.values.push_back(map->expected_log_likelihood());
+    marginal.values.push_back(map->marginal_log_likelihood());
     has_settled = i > 0 && !improves(marginal.values.back(), best, options_.improvement);
     if (marginal.values.back() <= best) continue;
     best = marginal.values.back();
     found_ = path;
-    found_->labels = map.labels(log_, path.trajectory);
+    found_->labels = map->labels(log_, path.trajectory);
   }
   const int iterations = static_cast<int>(marginal.values.size()) - 1;
   found_->remarks.push_back(remark_on_end(iterations, has_settled));

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "algorithms/beam_filter.h"
-#include "algorithms/grid/grid_frame.h"
+#include "algorithms/grid/cells_about.h"
 #include "algorithms/scan/beam.h"
 #include "algorithms/scan/beam_weights.h"
 #include "core/check.h"
@@ -41,22 +40,14 @@ template <class Probability>
 BeamLabels labels_of_ends(std::span<const LaserScan> scans, const Trajectory& map_from_robot,
                           const BeamLimits& limits, const GridFrame& frame,
                           Probability&& static_probability) {
-  const auto largest_about = [&](CellIndex end) {
-    double largest = 0.0;
-    for (int y = end.y - 1; y <= end.y + 1; ++y) {
-      for (int x = end.x - 1; x <= end.x + 1; ++x) {
-        largest = std::max(largest, static_cast<double>(static_probability(CellIndex{x, y})));
-      }
-    }
-    return largest;
-  };
   BeamLabels labels;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     ScanLabels& of_scan = labels.emplace_back();
     of_scan = {scans[i].time, scans[i].laser, std::vector<float>(scans[i].ranges.size(), kNoLabel)};
     for_each_beam(scans[i], map_from_robot[i].pose, limits, [&](std::size_t n, const Beam& beam) {
       if (beam.hit) {
-        of_scan.static_probability[n] = static_cast<float>(largest_about(frame.cell_of(beam.end)));
+        of_scan.static_probability[n] =
+            static_cast<float>(largest_about(frame.cell_of(beam.end), static_probability));
       }
     });
   }

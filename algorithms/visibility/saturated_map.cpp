@@ -1,18 +1,11 @@
 #include "algorithms/visibility/saturated_map.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "algorithms/grid/odds_model.h"
 #include "algorithms/visibility/scan_looks.h"
 
 namespace mapbed {
-namespace {
-
-double log_odds(double p) {
-  return std::log(p / (1.0 - p));
-}
-
-}  // namespace
 
 BeamLabels SaturatedMap::labels(std::span<const LaserScan> scans,
                                 const Trajectory& map_from_robot) const {
@@ -31,7 +24,7 @@ BeamLabels SaturatedMap::labels(std::span<const LaserScan> scans,
   }
   return labels_of_ends(scans, map_from_robot, options_.beams, odds.frame(), [&](CellIndex cell) {
     if (last[cell] == 0) return 0.0;  // nobody looked there
-    return 1.0 / (1.0 + std::exp(-static_cast<double>(odds[cell])));
+    return probability_of(static_cast<double>(odds[cell]));
   });
 }
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <map>
 
-#include "bench/metrics/clear_mot.h"
+#include "algorithms/scan/scans_on_path.h"
 #include "bench/metrics/hota.h"
 #include "bench/metrics/identity_f1.h"
 #include "bench/metrics/occlusions.h"
@@ -97,21 +97,11 @@ const std::vector<EvaluatedMetric>& evaluated_metrics() {
         "fraction of the true occupied cells that a map of all beams shows and this one does not"},
        [](E& e) { return e.lost(); }},
       {{"mota", Unit::none, "multi-object tracking accuracy, see clear_mot.h"},
-       [](E& e) {
-         return of_tracks(e,
-                          [&](const F& f) { return clear_mot(f, e.match_distance()).accuracy(); });
-       }},
+       [](E& e) { return e.mot() == nullptr ? kNone : e.mot()->accuracy(); }},
       {{"motp", Unit::meter, "mean distance of people and the tracks that follow them"},
-       [](E& e) {
-         return of_tracks(e,
-                          [&](const F& f) { return clear_mot(f, e.match_distance()).precision(); });
-       }},
+       [](E& e) { return e.mot() == nullptr ? kNone : e.mot()->precision(); }},
       {{"identity_switches", Unit::none, "people who get another track, see clear_mot.h"},
-       [](E& e) {
-         return of_tracks(e, [&](const F& f) {
-           return static_cast<double>(clear_mot(f, e.match_distance()).switches);
-         });
-       }},
+       [](E& e) { return e.mot() == nullptr ? kNone : static_cast<double>(e.mot()->switches); }},
       {{"idf1", Unit::none, "see identity_f1.h"},
        [](E& e) {
          return of_tracks(e, [&](const F& f) { return identity_f1(f, e.match_distance()); });
@@ -140,10 +130,8 @@ const std::vector<EvaluatedMetric>& evaluated_metrics() {
 
 // Beams of a scan on each entity.
 std::map<int, int> beams_on_entities(const LaserScan& scan, const Truth& truth) {
-  std::vector<ScanPart> parts = scan.parts;
-  if (parts.empty()) parts.push_back({scan.time, scan.laser, scan.ranges.size()});
   std::map<int, int> count;
-  for (const ScanPart& part : parts) {
+  for (const ScanPart& part : parts_of(scan)) {
     const BeamTruthOfScan* beams = beams_of(truth, part.time, part.laser);
     if (beams == nullptr) continue;
     for (const BeamTruth& beam : beams->beams) {
@@ -202,57 +190,74 @@ double MovingEvaluator::lost() {
   return lost_cells(of_all, map_, input_.true_map(map_options_.resolution));
 }
 
-// Movers near the robot, at the stamps of the estimate's poses. Tracks are placed by where they are
-// seen from the robot, so that a path that is wrong on the whole does not count against them.
-TrackingFrames MovingEvaluator::all_frames() const {
+// Who was near the robot. Those whom the scan does not see, and who never move, do not count.
+std::vector<TrueObject> MovingEvaluator::people_near(const LaserScan& scan,
+                                                     const StampedStates& states) const {
   const Truth& truth = input_.recording->truth;
+  const std::map<int, int> beams = beams_on_entities(scan, truth);
+  std::vector<TrueObject> people;
+  for (const MovingPose& part : states.moving) {
+    const TruthEntity& entity = truth.entities[static_cast<std::size_t>(part.entity)];
+    if (entity.kind != EntityKind::person || part.part != kTrunk) continue;
+    const Eigen::Vector2d position = part.world_from_part.position.head<2>();
+    if ((position - states.world_from_robot.position()).norm() > options_.range) continue;
+    const auto on_him = beams.find(entity.id);
+    const bool is_seen = on_him != beams.end() && on_him->second >= options_.least_beams;
+    people.push_back({entity.id, position, is_seen && causes_->moves(entity.id)});
+  }
+  return people;
+}
+
+// At the stamps of the estimate's poses. Tracks are placed by where they are seen from the robot,
+// so that a path that is wrong on the whole does not count against them.
+TrackingFrames MovingEvaluator::frames_with_all() const {
   std::map<double, const StampedStates*> states_at;
-  for (const StampedStates& states : truth.states) states_at[states.time] = &states;
+  for (const StampedStates& states : input_.recording->truth.states) {
+    states_at[states.time] = &states;
+  }
   std::map<double, std::vector<TrackedObject>> tracks_at;
   for (const ObjectTrack& track : *estimate_.tracks) {
     for (const TrackState& s : track.states) tracks_at[s.time].push_back({track.id, s.position});
   }
   TrackingFrames frames;
-  auto pose = estimate_.trajectory.begin();
-  for (const Measurement& measurement : input_.log) {
-    const auto* scan = std::get_if<LaserScan>(&measurement);
-    if (scan == nullptr || !scan->robot_from_laser.is_level()) continue;
-    if (pose == estimate_.trajectory.end()) break;
-    const Pose2 map_from_robot = (pose++)->pose;
-    const auto states = states_at.find(scan->time);
-    if (states == states_at.end()) continue;
-    const Pose2& world_from_robot = states->second->world_from_robot;
-    const Pose2 world_from_map = world_from_robot * inverse(map_from_robot);
-    TrackingFrame& frame = frames.emplace_back();
-    frame.time = scan->time;
-    for (TrackedObject& track : tracks_at[scan->time]) {
-      frame.tracks.push_back({track.id, world_from_map * track.position});
-    }
-    const std::map<int, int> beams = beams_on_entities(*scan, truth);
-    for (const MovingPose& part : states->second->moving) {
-      const TruthEntity& entity = truth.entities[static_cast<std::size_t>(part.entity)];
-      if (entity.kind != EntityKind::person || part.part != kTrunk) continue;
-      const Eigen::Vector2d position = part.world_from_part.position.head<2>();
-      const double away = (position - world_from_robot.position()).norm();
-      if (away > options_.range) continue;
-      const auto on_him = beams.find(entity.id);
-      const bool is_seen = on_him != beams.end() && on_him->second >= options_.least_beams;
-      frame.truth.push_back({entity.id, position, is_seen && causes_->moves(entity.id)});
-    }
-  }
+  for_each_scan_on_path(
+      input_.log, estimate_.trajectory, [&](const LaserScan& scan, const Pose2& map_from_robot) {
+        const auto states = states_at.find(scan.time);
+        if (states == states_at.end()) return;
+        const Pose2 world_from_map = states->second->world_from_robot * inverse(map_from_robot);
+        TrackingFrame& frame = frames.emplace_back();
+        frame.time = scan.time;
+        frame.truth = people_near(scan, *states->second);
+        for (const TrackedObject& track : tracks_at[scan.time]) {
+          frame.tracks.push_back({track.id, world_from_map * track.position});
+        }
+      });
   return frames;
 }
 
-const TrackingFrames* MovingEvaluator::frames() {
+const TrackingFrames* MovingEvaluator::all_frames() {
   if (!causes_ || !estimate_.tracks) return nullptr;
-  if (!frames_) frames_ = counting_alone(all_frames(), options_.match_distance);
-  return &*frames_;
+  if (!all_frames_) all_frames_ = frames_with_all();
+  return &*all_frames_;
+}
+
+const TrackingFrames* MovingEvaluator::frames() {
+  const TrackingFrames* all = all_frames();
+  if (all != nullptr && !frames_) frames_ = counting_alone(*all, options_.match_distance);
+  return all == nullptr ? nullptr : &*frames_;
+}
+
+const ClearMot* MovingEvaluator::mot() {
+  const TrackingFrames* counting = frames();
+  if (counting != nullptr && !mot_) mot_ = clear_mot(*counting, options_.match_distance);
+  return counting == nullptr ? nullptr : &*mot_;
 }
 
 double MovingEvaluator::occlusions_kept() {
-  if (!causes_ || !estimate_.tracks) return kNone;
-  return occlusions_in(all_frames(), {.longest = options_.longest_occlusion,
-                                      .max_distance = options_.match_distance})
+  const TrackingFrames* all = all_frames();
+  if (all == nullptr) return kNone;
+  return occlusions_in(
+             *all, {.longest = options_.longest_occlusion, .max_distance = options_.match_distance})
       .fraction_kept();
 }
 

@@ -8,6 +8,7 @@
 #include "algorithms/estimator.h"
 #include "algorithms/grid/map_builder.h"
 #include "bench/metrics/cells_by_cause.h"
+#include "bench/metrics/clear_mot.h"
 #include "bench/metrics/label_error.h"
 #include "bench/metrics/tracking_frame.h"
 #include "bench/results/results.h"
@@ -47,6 +48,7 @@ class MovingEvaluator {
   const SpuriousCells* spurious();
   double lost();                   // fraction of the true cells
   const TrackingFrames* frames();  // in which everybody counts
+  const ClearMot* mot();
   double occlusions_kept();
   const std::vector<double>& iterations(const std::string& name) const;  // empty: there are none
 
@@ -57,7 +59,9 @@ class MovingEvaluator {
 
  private:
   bool has_truth() const;
-  TrackingFrames all_frames() const;
+  const TrackingFrames* all_frames();  // with those who do not count
+  TrackingFrames frames_with_all() const;
+  std::vector<TrueObject> people_near(const LaserScan& scan, const StampedStates& states) const;
 
   TrackingMetricOptions options_;
   const MapOptions& map_options_;
@@ -68,7 +72,9 @@ class MovingEvaluator {
   std::optional<TrueCauses> causes_;
   std::optional<LabelErrors> labels_;
   std::optional<SpuriousCells> spurious_;
+  std::optional<TrackingFrames> all_frames_;
   std::optional<TrackingFrames> frames_;
+  std::optional<ClearMot> mot_;
 };
 
 // Name, unit and meaning of all that a MovingEvaluator can tell.

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "algorithms/scan/beam.h"
+#include "algorithms/scan/scans_on_path.h"
 #include "bench/metrics/near_cells.h"
-#include "core/check.h"
 
 namespace mapbed {
 namespace {
@@ -23,22 +23,17 @@ bool is_occupied(const Occupancy& cell, const MapErrorOptions& options) {
 TiledGrid<Ends> ends_of(const SensorLog& log, const Trajectory& world_from_robot,
                         const TrueCauses& causes, const GridFrame& frame) {
   TiledGrid<Ends> ends(frame);
-  auto next = world_from_robot.begin();
-  for (const Measurement& measurement : log) {
-    const auto* scan = std::get_if<LaserScan>(&measurement);
-    if (scan == nullptr || !scan->robot_from_laser.is_level()) continue;
-    CHECK(next != world_from_robot.end() && next->time == scan->time);
-    const std::vector<BeamCause> of_beams = causes.of(*scan);
+  for_each_scan_on_path(log, world_from_robot, [&](const LaserScan& scan, const Pose2& pose) {
+    const std::vector<BeamCause> of_beams = causes.of(scan);
     TiledGrid<Ends>::Writer writer(ends);
-    for_each_beam(*scan, next->pose, BeamLimits{}, [&](std::size_t n, const Beam& beam) {
+    for_each_beam(scan, pose, BeamLimits{}, [&](std::size_t n, const Beam& beam) {
       if (!beam.hit) return;
       Ends& cell = writer.at(ends.cell_of(beam.end));
       const Cause cause = of_beams[n].cause;
       const bool moves = cause == Cause::moving || cause == Cause::waiting;
       ++(moves ? cell.of_movers : cause == Cause::resting ? cell.of_resting : cell.of_others);
     });
-    ++next;
-  }
+  });
   return ends;
 }
 

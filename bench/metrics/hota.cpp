@@ -18,10 +18,6 @@ double threshold(int number) {
   return 0.05 * (number + 1);
 }
 
-int index_of(std::map<int, int>& indices, int id) {
-  return indices.emplace(id, static_cast<int>(indices.size())).first->second;
-}
-
 // A frame with its objects by their numbers in the whole recording.
 struct Frame {
   std::vector<int> truths, tracks;
@@ -38,8 +34,8 @@ Recording numbered(const TrackingFrames& frames, double zero_distance) {
   std::map<int, int> truths, tracks;
   for (const TrackingFrame& frame : frames) {
     Frame& numbered = result.frames.emplace_back();
-    for (const TrueObject& o : frame.truth) numbered.truths.push_back(index_of(truths, o.id));
-    for (const TrackedObject& o : frame.tracks) numbered.tracks.push_back(index_of(tracks, o.id));
+    for (const TrueObject& o : frame.truth) numbered.truths.push_back(number_of(truths, o.id));
+    for (const TrackedObject& o : frame.tracks) numbered.tracks.push_back(number_of(tracks, o.id));
     numbered.similarity.resize(static_cast<Eigen::Index>(frame.truth.size()),
                                static_cast<Eigen::Index>(frame.tracks.size()));
     for (std::size_t i = 0; i < frame.truth.size(); ++i) {

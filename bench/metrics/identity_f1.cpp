@@ -7,26 +7,18 @@
 #include "core/assignment.h"
 
 namespace mapbed {
-namespace {
-
-int index_of(std::map<int, int>& indices, int id) {
-  return indices.emplace(id, static_cast<int>(indices.size())).first->second;
-}
-
-}  // namespace
-
 double identity_f1(const TrackingFrames& frames, double max_distance) {
   std::map<int, int> truths, tracks;
   std::map<std::pair<int, int>, double> together;  // frames in which two are near
   double all = 0.0;                                // objects over all frames, true and tracked
   for (const TrackingFrame& frame : frames) {
     all += static_cast<double>(frame.truth.size() + frame.tracks.size());
-    for (const TrackedObject& track : frame.tracks) index_of(tracks, track.id);
+    for (const TrackedObject& track : frame.tracks) number_of(tracks, track.id);
     for (const TrueObject& object : frame.truth) {
-      const int i = index_of(truths, object.id);
+      const int i = number_of(truths, object.id);
       for (const TrackedObject& track : frame.tracks) {
         if ((object.position - track.position).norm() > max_distance) continue;
-        together[{i, index_of(tracks, track.id)}] += 1.0;
+        together[{i, number_of(tracks, track.id)}] += 1.0;
       }
     }
   }

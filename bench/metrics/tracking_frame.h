@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include <Eigen/Core>
@@ -27,6 +28,11 @@ struct TrackingFrame {
 };
 
 using TrackingFrames = std::vector<TrackingFrame>;  // by time
+
+// Numbers from 0 on for ids, as they come: of rows and columns.
+inline int number_of(std::map<int, int>& numbers, int id) {
+  return numbers.emplace(id, static_cast<int>(numbers.size())).first->second;
+}
 
 // The pair (index into truth, index into tracks) of each true object that is matched, in the order
 // of the truth: as many pairs as possible within `max_distance` [m], the shortest in sum.

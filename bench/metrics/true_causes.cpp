@@ -28,6 +28,11 @@ std::set<int> movers_in(const Truth& truth) {
 
 }  // namespace
 
+std::vector<ScanPart> parts_of(const LaserScan& scan) {
+  if (!scan.parts.empty()) return scan.parts;
+  return {{scan.time, scan.laser, scan.ranges.size()}};
+}
+
 TrueCauses::TrueCauses(const Truth& truth, double most_off)
     : truth_(truth), most_off_(most_off), movers_(movers_in(truth)) {}
 
@@ -43,11 +48,9 @@ BeamCause TrueCauses::of(const BeamTruth& beam, double range) const {
 }
 
 std::vector<BeamCause> TrueCauses::of(const LaserScan& scan) const {
-  std::vector<ScanPart> parts = scan.parts;
-  if (parts.empty()) parts.push_back({scan.time, scan.laser, scan.ranges.size()});
   std::vector<BeamCause> causes(scan.ranges.size());
   std::size_t first = 0;
-  for (const ScanPart& part : parts) {
+  for (const ScanPart& part : parts_of(scan)) {
     const BeamTruthOfScan* truth = beams_of(truth_, part.time, part.laser);
     for (std::size_t n = 0; truth != nullptr && n < std::min(part.beams, truth->beams.size());
          ++n) {

@@ -23,6 +23,9 @@ struct BeamCause {
   EntityKind kind = EntityKind::structure;
 };
 
+// What a scan is fused of, or itself as the one part.
+std::vector<ScanPart> parts_of(const LaserScan& scan);
+
 // Causes of readings by the truth of a simulated recording. It must outlive this.
 class TrueCauses {
  public:

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/scan/scans_on_path.h"
 #include "bench/plot/map_legend.h"
 #include "bench/plot/map_raster.h"
 #include "core/image/color_map.h"
@@ -184,16 +185,14 @@ RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths
 DrawnPoints dynamic_points(const SensorLog& log, const Trajectory& map_from_robot,
                            std::span<const ScanLabels> labels, const BeamLimits& limits) {
   DrawnPoints drawn{.name = "met what moves"};
-  std::size_t i = 0;
-  for (const Measurement& measurement : log) {
-    const auto* scan = std::get_if<LaserScan>(&measurement);
-    if (scan == nullptr || !scan->robot_from_laser.is_level()) continue;
-    if (i == labels.size()) break;
-    for_each_beam(*scan, map_from_robot[i].pose, limits, [&](std::size_t n, const Beam& beam) {
-      if (beam.hit && is_dynamic(labels[i], n)) drawn.points.push_back(beam.end);
+  if (labels.empty()) return drawn;
+  auto next = labels.begin();
+  for_each_scan_on_path(log, map_from_robot, [&](const LaserScan& scan, const Pose2& pose) {
+    const ScanLabels& of_scan = *next++;
+    for_each_beam(scan, pose, limits, [&](std::size_t n, const Beam& beam) {
+      if (beam.hit && is_dynamic(of_scan, n)) drawn.points.push_back(beam.end);
     });
-    ++i;
-  }
+  });
   return drawn;
 }
 
