@@ -119,11 +119,18 @@ Method em_method() {
           [name](const Settings& settings) { return configure_em(name, settings); }, true};
 }
 
+Method odometry_method() {
+  Method result =
+      method<OdometryEstimator, OdometryOptions>("odometry", "dead reckoning alone, the baseline");
+  result.needs_odometry = true;
+  return result;
+}
+
 }  // namespace
 
 const std::vector<Method>& methods() {
   static const std::vector<Method> table{
-      method<OdometryEstimator, OdometryOptions>("odometry", "dead reckoning alone, the baseline"),
+      odometry_method(),
       method<IncrementalMatcher, IncrementalMatcherOptions>(
           "scan_matching", "incremental scan matching by hill climbing, section 2.3"),
       method<IncrementalMatcher, IncrementalMatcherOptions>(

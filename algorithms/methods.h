@@ -19,7 +19,8 @@ struct Method {
   std::string name;
   std::string about;
   std::function<ConfiguredMethod(const Settings&)> configure;
-  bool labels_beams = false;  // its estimates have labels
+  bool labels_beams = false;    // its estimates have labels
+  bool needs_odometry = false;  // has nothing else to go by
 };
 
 const std::vector<Method>& methods();

@@ -122,6 +122,14 @@ void print_result(const MapRun& run, const std::string& folder, double total) {
   fmt::print("written to {}\n", folder);
 }
 
+void refuse_missing_odometry(const std::string& path, const SensorLog& log,
+                             const ChosenMethod& method) {
+  const auto is_odometry = [](const Measurement& m) { return std::holds_alternative<Odometry>(m); };
+  if (!method.needs_odometry || std::any_of(log.begin(), log.end(), is_odometry)) return;
+  throw InputError({path}, "has no odometry, and " + method.name + " has nothing else to go by",
+                   "choose a method that matches scans, with --method");
+}
+
 // The last line that says something.
 std::string last_words(const std::string& messages) {
   const std::size_t end = messages.find_last_not_of(" \n\r\t");
@@ -165,6 +173,7 @@ int map_log(const MapArguments& arguments) {
   RecordedLog log = while_told("reading", [&] { return load_log(chosen.path, config.log); });
   const std::vector<Remark> of_geometry = choose_geometry(log);
   print_log(arguments.log, log, stopwatch.seconds());
+  refuse_missing_odometry(arguments.log, log.measurements, config.chosen);
   const bool by_program = config.chosen.program() != nullptr;
   const bool is_kept = by_program || config.chosen.labels_beams;
   const SensorLog as_recorded = is_kept ? log.measurements : SensorLog{};

@@ -152,6 +152,16 @@ TEST_F(MapCommand, SaysWhatIsWrongWithTheLog) {
   EXPECT_FALSE(fs::exists(path("empty_map"))) << "nothing is left of a run that never began";
 }
 
+TEST_F(MapCommand, OdometryAloneNeedsALogWithSome) {
+  write("scans.log",
+        "# angle_min -0.5 angle_increment 0.5 range_max 5\n"
+        "1.0 3 2 2 2\n1.1 3 2 2 2\n1.2 3 2 2 2\n");
+  expect_refusal({"map", "scans.log", "--method", "odometry"},
+                 "scans.log: has no odometry, and odometry has nothing else to go by; choose a "
+                 "method that matches scans, with --method");
+  EXPECT_FALSE(fs::exists(path("scans_map")));
+}
+
 TEST_F(MapCommand, SaysWhatIsWrongWithItsOptions) {
   write("wrong.yaml", "map:\n  resolutoin: 5 cm\n");
   write("not.yaml", "map: [1, 2\n");

@@ -75,9 +75,10 @@ void refuse_other_division(const std::vector<QueuedShard>& queued, int shards) {
   }
 }
 
-// What Slurm tells where it is; where it does not, the journals tell enough.
+// What Slurm tells of what was submitted to it; where it does not, the journals tell enough.
 std::vector<QueuedShard> queued_if_told(const std::string& folder, ShardsState& state) try {
-  return has_slurm() ? queued_in_slurm(folder) : std::vector<QueuedShard>{};
+  const bool was_submitted = fs::exists(fs::path(folder) / kSlurmFiles);
+  return was_submitted && has_slurm() ? queued_in_slurm(folder) : std::vector<QueuedShard>{};
 } catch (const InputError& error) {
   state.remark = error.what();
   return {};

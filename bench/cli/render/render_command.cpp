@@ -71,6 +71,20 @@ std::optional<double> resolution_of(const RenderArguments& arguments) {
   return resolution;
 }
 
+// A robot drives where its map knows something.
+void remark_on_other_frame(const std::string& path, const Trajectory& trajectory,
+                           const OccupancyMap& map) {
+  const auto is_outside = [&map](const Stamped<Pose2>& at) {
+    return !map[map.cell_of({at.pose.x, at.pose.y})].known();
+  };
+  const auto outside = std::count_if(trajectory.begin(), trajectory.end(), is_outside);
+  if (2 * static_cast<std::size_t>(outside) <= trajectory.size()) return;
+  fmt::print(stderr,
+             "remark: {}: {} of {} poses lie where the map knows nothing; if its frame is not the "
+             "map's, the picture says nothing\n",
+             path, outside, trajectory.size());
+}
+
 RgbImage picture_of_map(const RenderArguments& arguments) {
   const OccupancyMap map = read_map(arguments.maps.front(), resolution_of(arguments));
   std::vector<DrawnPath> paths;
@@ -79,6 +93,7 @@ RgbImage picture_of_map(const RenderArguments& arguments) {
                                  ? arguments.names[paths.size()]
                                  : std::filesystem::path(path).stem().string();
     paths.push_back({name, load_trajectory(path)});
+    remark_on_other_frame(path, paths.back().map_from_robot, map);
   }
   return picture_of(map, paths, arguments.picture);
 }

@@ -107,6 +107,17 @@ TEST_F(RenderCommand, DrawsAMapWithItsTrajectory) {
   EXPECT_NE(a, b);
 }
 
+TEST_F(RenderCommand, ATrajectoryOfAnotherFrameIsRemarkedOn) {
+  write("away.txt", "0 40 2 0\n1 41 3 0\n2 1 2 0\n");
+  const auto draw = [&](const char* trajectory) {
+    return call({"render", "room.yaml", "-o", "drawn.png", "--trajectory", trajectory});
+  };
+  EXPECT_THAT(draw("away.txt").err,
+              ::testing::HasSubstr("remark: away.txt: 2 of 3 poses lie where the map knows "
+                                   "nothing"));
+  EXPECT_EQ(draw("drive.txt").err, "");
+}
+
 TEST_F(RenderCommand, APictureKeepsItsGreysAndTakesItsPlaceFromTheFileBesideIt) {
   const Outcome outcome = call({"render", "room.png", "-o", "a.png", "--trajectory", "drive.txt"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;

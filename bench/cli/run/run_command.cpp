@@ -14,11 +14,13 @@
 #include "bench/pages/reports.h"
 #include "bench/process/foreign_files.h"
 #include "bench/process/thread_limit.h"
+#include "bench/results/plan_yaml.h"
 #include "bench/results/result_folder.h"
 #include "bench/results/result_tables.h"
 #include "bench/scenario/identity.h"
 #include "bench/scenario/run_scenario.h"
 #include "bench/scenario/runner.h"
+#include "bench/scenario/staging_folder.h"
 #include "bench/shards/merging.h"
 #include "bench/shards/shard_folders.h"
 #include "bench/sources/files_record.h"
@@ -59,15 +61,16 @@ std::vector<std::string> command_of(const RunArguments& a) {
 }
 
 // Why runs of an older result do not count any more, or do not come out as a config.yaml that is
-// run again says, where files are the reason.
-void tell_changed_files(const std::string& folder, const ScenarioPlan& plan) {
+// run again says, where files are the reason. Whether a finished result is told of.
+bool tell_changed_files(const std::string& folder, const ScenarioPlan& plan) {
   const InputFiles files = input_files(plan);
   const auto tell = [&files](const std::string& config, const char* meaning) {
     const std::string changes = told_changes(config, files);
     if (!changes.empty()) fmt::print(stderr, "remark: {}; {}\n", changes, meaning);
+    return !changes.empty();
   };
   const std::string of_folder = folder + "/config.yaml";
-  tell(of_folder, "all runs are done anew");
+  const bool is_told = tell(of_folder, "all runs are done anew");
   tell(folder + "/runs/tables/config.yaml", "unfinished runs are of the old one");
   const std::vector<Shard> shards = shards_in(folder);
   if (!shards.empty()) {
@@ -75,8 +78,25 @@ void tell_changed_files(const std::string& folder, const ScenarioPlan& plan) {
          "what the shards have done is of the old one");
   }
   std::error_code none;
-  if (std::filesystem::equivalent(of_folder, plan.scenario.path, none)) return;
-  tell(plan.scenario.path, "the results may be others");
+  if (!std::filesystem::equivalent(of_folder, plan.scenario.path, none)) {
+    tell(plan.scenario.path, "the results may be others");
+  }
+  return is_told;
+}
+
+// A finished result of something else stays until this one takes its place; one of full size is
+// worth too much for a quick one to do so.
+void tell_replaced_result(const std::string& folder, const ScenarioPlan& plan, bool is_told) {
+  if (finished_identity(folder).empty() || is_finished(plan, folder)) return;
+  if (plan.scenario.quick && !load_plan(folder + "/config.yaml").quick) {
+    throw InputError({folder}, "holds a result of full size, whose place a quick one would take",
+                     "name another folder with --out");
+  }
+  if (is_told) return;
+  fmt::print(stderr,
+             "remark: {} holds the finished result of another version of the program, of the "
+             "scenario or of its settings; the new one takes its place when it is finished\n",
+             folder);
 }
 
 constexpr const char* kRow = "run.csv";  // marks a folder of one run
@@ -164,8 +184,9 @@ int run(RunArguments a) {
                                    .command = command_of(a)};
   const OutputFolder folder(options.folder);
   refuse_foreign_page(options.folder);
-  tell_changed_files(options.folder, plan);
+  const bool is_told = tell_changed_files(options.folder, plan);
   if (a.status) return do_status(plan, options, a.strict);
+  tell_replaced_result(options.folder, plan, is_told);
   if (a.slurm > 0) return do_slurm(plan, options, a.slurm, a.sbatch, a.strict);
   if (shard) return do_shard(plan, options, *shard, a.strict);
   return do_all(plan, options, a.strict);

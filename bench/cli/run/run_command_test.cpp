@@ -256,6 +256,28 @@ TEST_F(RunCommand, AQuickRunSaysThatItDoesNotJudge) {
   EXPECT_FALSE(load_results(path("q")).verdicts.at(0).judged);
 }
 
+TEST_F(RunCommand, AFinishedResultOfSomethingElseIsNotReplacedSilently) {
+  write("short.yaml", "base: drives.yaml\nseeds: 2\nrecorder.longest: 1 s\n");
+  const auto run_into = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"run", "./short.yaml", "--out", "r"});
+    return call(more);
+  };
+  ASSERT_EQ(run_into({}).status, 0);
+  const std::string before = text("r/runs.csv");
+  EXPECT_THAT(run_into({}).err, ::testing::Not(HasSubstr("takes its place")));
+
+  const Outcome quick = run_into({"--quick", "--seed", "7"});
+  EXPECT_EQ(quick.status, 1);
+  EXPECT_THAT(quick.err, HasSubstr("r: holds a result of full size, whose place a quick one would "
+                                   "take; name another folder with --out"));
+  EXPECT_EQ(text("r/runs.csv"), before);
+
+  const Outcome other = run_into({"--seed", "7"});
+  EXPECT_EQ(other.status, 0) << other.err;
+  EXPECT_THAT(other.err, HasSubstr("remark: r holds the finished result of another version of the "
+                                   "program, of the scenario or of its settings"));
+}
+
 TEST_F(RunCommand, RefusesBadInputInOneLine) {
   const auto refuse = [&](const std::vector<std::string>& arguments, const std::string& message) {
     const Outcome outcome = run(arguments);

@@ -154,10 +154,18 @@ TEST_F(RunShards, WhatSlurmRefusesIsTold) {
   expect_refused(with_programs("--slurm 2"), "sbatch: names no job: something else; see what");
   program("squeue", "echo 'squeue: error: no controller' >&2; exit 1");
   expect_refused(with_programs("--slurm 2"), "squeue: ended with exit status 1: squeue: error: no");
+  const std::string told = "remark: squeue: ended with exit status 1: squeue: error: no";
   ASSERT_EQ(run({"--shard", "1/2"}).status, 0);
-  const Outcome status = with_programs("--status");
+  Outcome status = with_programs("--status");
   EXPECT_EQ(status.status, 3) << "the journals tell enough";
-  EXPECT_THAT(status.out, HasSubstr("remark: squeue: ended with exit status 1: squeue: error: no"));
+  EXPECT_THAT(status.out, Not(HasSubstr(told))) << "nothing of it was submitted";
+  program("squeue", "");
+  program("sbatch", "echo 12");
+  ASSERT_EQ(with_programs("--slurm 2").status, 0);
+  program("squeue", "echo 'squeue: error: no controller' >&2; exit 1");
+  status = with_programs("--status");
+  EXPECT_EQ(status.status, 3);
+  EXPECT_THAT(status.out, HasSubstr(told));
 }
 
 // What the programs of Slurm get and answer, by two that note and do the same.
