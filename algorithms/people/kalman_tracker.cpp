@@ -14,32 +14,13 @@ namespace {
 
 constexpr double kApart = 0.45;  // [m] of a new person from those who are followed
 
-double longest_sigma(const Eigen::Matrix4d& covariance) {
-  const double half = (covariance(0, 0) + covariance(1, 1)) / 2.0;
-  const double difference = (covariance(0, 0) - covariance(1, 1)) / 2.0;
-  return std::sqrt(half + std::hypot(difference, covariance(0, 1)));
-}
-
 }  // namespace
 
 void KalmanTracker::predict(double time) {
   const double seconds = has_begun_ ? std::max(0.0, time - time_) : 0.0;
   has_begun_ = true;
   time_ = time;
-  Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
-  motion.topRightCorner<2, 2>() = seconds * Eigen::Matrix2d::Identity();
-  // White noise of the acceleration, integrated.
-  const double q = options_.acceleration * options_.acceleration;
-  Eigen::Matrix4d noise = Eigen::Matrix4d::Zero();
-  const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
-  noise.topLeftCorner<2, 2>() = q * seconds * seconds * seconds / 3.0 * one;
-  noise.topRightCorner<2, 2>() = q * seconds * seconds / 2.0 * one;
-  noise.bottomLeftCorner<2, 2>() = noise.topRightCorner<2, 2>();
-  noise.bottomRightCorner<2, 2>() = q * seconds * one;
-  for (Filter& filter : filters_) {
-    filter.mean = motion * filter.mean;
-    filter.covariance = motion * filter.covariance * motion.transpose() + noise;
-  }
+  for (Filter& filter : filters_) filter.state.predict(seconds, options_.acceleration);
 }
 
 // The sighting of each person, or -1.
@@ -50,9 +31,9 @@ std::vector<int> KalmanTracker::assigned(const ScanSightings& scan) const {
   for (std::size_t i = 0; i < filters_.size(); ++i) {
     for (std::size_t j = 0; j < scan.sightings.size(); ++j) {
       const Sighting& sighting = scan.sightings[j];
-      const Eigen::Matrix2d spread = filters_[i].covariance.topLeftCorner<2, 2>() +
+      const Eigen::Matrix2d spread = filters_[i].state.covariance.topLeftCorner<2, 2>() +
                                      sighting.sigma * sighting.sigma * Eigen::Matrix2d::Identity();
-      const Eigen::Vector2d off = sighting.position - filters_[i].mean.head<2>();
+      const Eigen::Vector2d off = sighting.position - filters_[i].state.mean.head<2>();
       double away = off.dot(spread.inverse() * off);
       if (sighting.before == SeenBefore::same) away += options_.place_penalty;
       if (away > options_.gate * options_.gate) continue;
@@ -70,51 +51,43 @@ void KalmanTracker::update(const ScanSightings& scan) {
     Filter& filter = filters_[i];
     const bool is_seen = sightings[i] >= 0;
     const double hidden = hidden_probability(
-        scan.view, robot_from_local * Eigen::Vector2d(filter.mean.head<2>()), options_.body_radius);
+        scan.view, robot_from_local * Eigen::Vector2d(filter.state.mean.head<2>()),
+        options_.body_radius);
     if (is_seen) {
       const Sighting& sighting = scan.sightings[static_cast<std::size_t>(sightings[i])];
       is_taken[static_cast<std::size_t>(sightings[i])] = true;
-      const Eigen::Matrix2d innovation =
-          filter.covariance.topLeftCorner<2, 2>() +
-          sighting.sigma * sighting.sigma * Eigen::Matrix2d::Identity();
-      const Eigen::Matrix<double, 4, 2> gain =
-          filter.covariance.leftCols<2>() * innovation.inverse();
-      filter.mean += gain * (sighting.position - filter.mean.head<2>());
-      filter.covariance -= gain * innovation * gain.transpose();
+      filter.state.correct(sighting.position, sighting.sigma);
     }
     const SeenBefore before = is_seen
                                   ? scan.sightings[static_cast<std::size_t>(sightings[i])].before
                                   : SeenBefore::nothing;
-    const Eigen::Vector2d position = filter.mean.head<2>();
+    const Eigen::Vector2d position = filter.state.mean.head<2>();
     filter.life.update(scan.time(),
                        {is_seen, before, hidden, scan.at(filter.life.start()), position,
                         robot_from_local * position},
                        options_.life);
   }
   std::erase_if(filters_, [&](const Filter& filter) {
-    return filter.life.is_over(scan.time(), longest_sigma(filter.covariance), options_.life);
+    return filter.life.is_over(scan.time(), filter.state.longest_sigma(), options_.life);
   });
   for (std::size_t j = 0; j < scan.sightings.size(); ++j) {
     const Sighting& sighting = scan.sightings[j];
     const bool is_near = std::any_of(filters_.begin(), filters_.end(), [&](const Filter& filter) {
-      return filter.life.is_seen() && (filter.mean.head<2>() - sighting.position).norm() < kApart;
+      return filter.life.is_seen() &&
+             (filter.state.mean.head<2>() - sighting.position).norm() < kApart;
     });
     if (is_taken[j] || !sighting.may_be_new() || is_near) continue;
-    Eigen::Vector4d mean = Eigen::Vector4d::Zero();
-    mean.head<2>() = sighting.position;
-    Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
-    covariance.topLeftCorner<2, 2>() *= sighting.sigma * sighting.sigma;
-    covariance.bottomRightCorner<2, 2>() *= options_.speed_sigma * options_.speed_sigma;
     filters_.push_back(
-        {mean, covariance, TrackLife(next_id_++, scan.time(), first_of(scan, sighting))});
+        {ConstantVelocity::at(sighting.position, sighting.sigma, options_.speed_sigma),
+         TrackLife(next_id_++, scan.time(), first_of(scan, sighting))});
   }
 }
 
 std::vector<FollowedPerson> KalmanTracker::people() const {
   std::vector<FollowedPerson> people;
   for (const Filter& filter : filters_) {
-    people.push_back({filter.life.id(), filter.mean.head<2>(), filter.mean.tail<2>(),
-                      filter.covariance.topLeftCorner<2, 2>(), filter.life.is_seen(),
+    people.push_back({filter.life.id(), filter.state.mean.head<2>(), filter.state.mean.tail<2>(),
+                      filter.state.covariance.topLeftCorner<2, 2>(), filter.life.is_seen(),
                       filter.life.is_confirmed()});
   }
   return people;
@@ -124,9 +97,9 @@ double KalmanTracker::mass_near(std::size_t person, const Eigen::Vector2d& point
                                 double radius) const {
   const Filter& filter = filters_[person];
   // With the circle as a normal distribution of the same spread.
-  const Eigen::Matrix2d spread =
-      filter.covariance.topLeftCorner<2, 2>() + radius * radius / 4.0 * Eigen::Matrix2d::Identity();
-  const Eigen::Vector2d off = point - filter.mean.head<2>();
+  const Eigen::Matrix2d spread = filter.state.covariance.topLeftCorner<2, 2>() +
+                                 radius * radius / 4.0 * Eigen::Matrix2d::Identity();
+  const Eigen::Vector2d off = point - filter.state.mean.head<2>();
   const double density =
       std::exp(-0.5 * off.dot(spread.inverse() * off)) / (2.0 * std::sqrt(spread.determinant()));
   return std::min(1.0, density * radius * radius);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/people/constant_velocity.h"
 #include "algorithms/people/scan_sightings.h"
 #include "algorithms/people/track_life.h"
 #include "algorithms/remark.h"
@@ -55,8 +56,7 @@ class KalmanTracker {
 
  private:
   struct Filter {
-    Eigen::Vector4d mean;  // x, y [m]; vx, vy [m/s]
-    Eigen::Matrix4d covariance;
+    ConstantVelocity state;
     TrackLife life;
   };
   std::vector<int> assigned(const ScanSightings& scan) const;

@@ -58,8 +58,14 @@ void RecentScans::add(ScanView view, const Pose2& local_from_robot, std::vector<
 
 SeenBefore RecentScans::seen_before(const LegFeature& feature, double now,
                                     const Pose2& local_from_robot, double radius) const {
-  const Eigen::Vector2d position = local_from_robot * feature.position;
-  const double aside = 0.5 * feature.spacing;
+  return seen_before(feature.position, feature.spacing, now, local_from_robot, radius);
+}
+
+SeenBefore RecentScans::seen_before(const Eigen::Vector2d& point_in_robot, double spacing,
+                                    double now, const Pose2& local_from_robot,
+                                    double radius) const {
+  const Eigen::Vector2d position = local_from_robot * point_in_robot;
+  const double aside = 0.5 * spacing;
   int free = 0;
   int same = 0;
   bool stood = false;  // something, longer than somebody who walks stays
@@ -73,10 +79,10 @@ SeenBefore RecentScans::seen_before(const LegFeature& feature, double now,
     if (seen == SeenBefore::same) ++same;
     const bool is_old = now - scan.view.scan().time >= options_.lasting;
     stood = stood || (seen == SeenBefore::same && is_old);
-    if ((point - feature.position).norm() < kElsewhere) continue;
+    if ((point - point_in_robot).norm() < kElsewhere) continue;
     ++telling;
     const SeenBefore there =
-        seen_at(scan.view, feature.position, radius, aside, kSameOnRobot, scan.on_people);
+        seen_at(scan.view, point_in_robot, radius, aside, kSameOnRobot, scan.on_people);
     if (there == SeenBefore::same) ++on_robot;
   }
   if (on_robot >= kLeastOnRobot && 2 * on_robot > telling) return SeenBefore::same;

@@ -60,6 +60,9 @@ class RecentScans {
   // moves is a part of the robot: it was there before too.
   SeenBefore seen_before(const LegFeature& feature, double now, const Pose2& local_from_robot,
                          double radius) const;
+  // The same of any point of the robot's frame, where neighbouring beams are `spacing` [m] apart.
+  SeenBefore seen_before(const Eigen::Vector2d& point_in_robot, double spacing, double now,
+                         const Pose2& local_from_robot, double radius) const;
 
  private:
   struct Scan {

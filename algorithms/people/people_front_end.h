@@ -1,15 +1,13 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "algorithms/motion/odometry_track.h"
 #include "algorithms/people/leg_features.h"
+#include "algorithms/people/local_frame.h"
 #include "algorithms/people/moved_features.h"
 #include "algorithms/people/scan_sightings.h"
 #include "algorithms/people/sightings.h"
-#include "algorithms/scan_matching/incremental_matcher.h"
 #include "core/config/option.h"
 #include "core/sensor/laser_scan.h"
 #include "core/sensor/odometry.h"
@@ -37,16 +35,15 @@ void find_sightings(ScanSightings& scan, const RecentScans& before,
 ScanSightings mirrored_in_time(const ScanSightings& scan);
 
 // From scans to what may be people, the same for every tracker: leg features, whether they moved,
-// pairs of legs, in a local frame that follows the robot by scan matching. That frame drifts, and
-// never jumps for a loop's sake.
+// pairs of legs, in a local frame that follows the robot by scan matching.
 class PeopleFrontEnd {
  public:
   explicit PeopleFrontEnd(const PeopleFrontEndOptions& options) : options_(options) {}
 
-  void add(const Odometry& reading);
+  void add(const Odometry& reading) { frame_.add(reading); }
 
   // local_from_robot of the scan that comes next: by odometry, or as the robot moved before.
-  Pose2 predicted(double time) const;
+  Pose2 predicted(double time) const { return frame_.predicted(time); }
 
   // `beam_weights` are for the alignment, (3.11); empty: all count fully.
   ScanSightings add(const LaserScan& scan, std::span<const float> beam_weights);
@@ -56,12 +53,7 @@ class PeopleFrontEnd {
 
  private:
   PeopleFrontEndOptions options_;
-  IncrementalMatcher matcher_;
-  OdometryTrack odometry_;
-  std::optional<Pose2> odometry_at_last_scan_;
-  std::optional<double> last_time_;  // [s] of a scan
-  Pose2 last_motion_;                // from the scan before last to the last
-  double last_seconds_ = 0.0;        // [s] which that took
+  LocalFrame frame_;
   RecentScans recent_{options_.recent};
 };
 
