@@ -40,6 +40,15 @@ struct Door {
   double opens_within = 1.2;  // [m] opens for a person or robot that comes this near; 0: for nobody
 };
 
+// What is moved about: it rests, is moved straight to the next of its places (after the last one to
+// the first), and rests again. Its entity, of kind movable, is none of World::entities.
+struct Movable {
+  Entity entity = {};                        // where it stands in the beginning
+  std::vector<Eigen::Vector2d> places = {};  // [m] of its origin; the first is where it stands
+  double speed = 0.5;                        // [m/s]
+  double mean_rest = 20.0;                   // [s] exponential
+};
+
 struct CrowdRoute {
   std::string name = {};
   std::vector<Eigen::Vector2d> points = {};  // walked to and fro, or round where closed
@@ -69,6 +78,7 @@ struct World {
   std::vector<Material> materials = standard_materials();
   std::vector<Entity> entities = {};
   std::vector<Door> doors = {};
+  std::vector<Movable> movables = {};
   std::vector<NamedPath> paths = {};
   CrowdRules crowd;
   double ceiling = 2.8;  // [m] height of the rooms; walls end here, pictures look in from above

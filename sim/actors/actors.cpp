@@ -2,6 +2,7 @@
 
 #include "sim/actors/crowd.h"
 #include "sim/actors/doors.h"
+#include "sim/actors/movables.h"
 
 namespace mapbed {
 namespace {
@@ -22,9 +23,13 @@ struct ActorKind {
   Group (*make)(const Setting&);
 };
 
-// Doors move first, then people walk among them.
+// Doors move first, then chairs and the like, then people walk among them.
 const ActorKind kKinds[] = {
     {"doors", [](const Setting& s) -> Group { return std::make_unique<Doors>(s.world, s.rng); }},
+    {"movables",
+     [](const Setting& s) -> Group {
+       return std::make_unique<Movables>(s.world, s.first_entity, s.rng);
+     }},
     {"people",
      [](const Setting& s) -> Group {
        return std::make_unique<Crowd>(s.world, s.walkable, s.robot, s.options.people,

@@ -6,7 +6,7 @@ namespace mapbed {
 
 bool TruthEntity::is_dynamic() const {
   return kind == EntityKind::person || kind == EntityKind::door || kind == EntityKind::vehicle ||
-         kind == EntityKind::robot;
+         kind == EntityKind::robot || kind == EntityKind::movable;
 }
 
 Trajectory trajectory_of(const Truth& truth) {

@@ -17,7 +17,7 @@ struct TruthEntity {
   EntityKind kind = EntityKind::structure;
   std::vector<std::string> parts;
 
-  // People, doors, vehicles and robots can move; everything else stands still for good.
+  // People, doors, vehicles, robots and movables can move; all else stands still for good.
   bool is_dynamic() const;
 };
 

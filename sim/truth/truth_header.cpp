@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kFirstLine = "MAPBED TRUTH 2";
 constexpr long kMostLines = 1'000'000;
-constexpr int kKinds = 8;  // of EntityKind
+constexpr int kKinds = 9;  // of EntityKind
 
 // On one line, whatever somebody called it.
 std::string printable(std::string name) {

@@ -9,6 +9,7 @@
 #include "core/input_error.h"
 #include "worlds/build/building.h"
 #include "worlds/build/clearance.h"
+#include "worlds/build/furniture.h"
 #include "worlds/file/plan_import.h"
 #include "worlds/file/shape_config.h"
 #include "worlds/worlds.h"
@@ -32,6 +33,7 @@ class WorldReader {
     if (const ConfigNode* floor = file_.find("floor")) read_floor(*floor);
     for_each("walls", [&](const ConfigNode& wall) { read_wall(wall); });
     for_each("shapes", [&](const ConfigNode& shape) { read_shape(shape); });
+    for_each("movables", [&](const ConfigNode& movable) { read_movable(movable); });
     if (const ConfigNode* paths = file_.find("paths")) read_paths(*paths);
     if (const ConfigNode* crowd = file_.find("crowd")) read_crowd(*crowd);
     file_.check_all_used("world file");
@@ -172,6 +174,15 @@ class WorldReader {
   }
 
   void read_shape(const ConfigNode& node) {
+    Entity entity = shape_in(node);
+    if (const ConfigNode* kind = node.find("kind")) {
+      entity.kind = kind->choice({"structure", "furniture"}) == 0 ? EntityKind::structure
+                                                                  : EntityKind::furniture;
+    }
+    world_.entities.push_back(std::move(entity));
+  }
+
+  Entity shape_in(const ConfigNode& node) {
     Part part;
     Entity entity{.kind = EntityKind::furniture};
     if (const ConfigNode* mesh = node.find("mesh")) {
@@ -184,13 +195,34 @@ class WorldReader {
     part.name = entity.name;
     part.material = material(node, "wood");
     part.entity_from_part = upright({}, shape.rise);
-    if (const ConfigNode* kind = node.find("kind")) {
-      entity.kind = kind->choice({"structure", "furniture"}) == 0 ? EntityKind::structure
-                                                                  : EntityKind::furniture;
-    }
     entity.world_from_entity = pose_of(node);
     entity.parts.push_back(std::move(part));
-    world_.entities.push_back(std::move(entity));
+    return entity;
+  }
+
+  // A shape, or a piece of furniture by name.
+  void read_movable(const ConfigNode& node) {
+    Movable movable;
+    if (const ConfigNode* piece = node.find("piece")) {
+      const Pose2 pose = planar(pose_of(node));
+      movable.entity = piece->choice({"chair", "office_chair"}) == 0 ? chair(world_, pose)
+                                                                     : office_chair(world_, pose);
+      if (const ConfigNode* name = node.find("name")) movable.entity.name = name->text();
+    } else {
+      movable.entity = shape_in(node);
+    }
+    movable.entity.kind = EntityKind::movable;
+    movable.places = {movable.entity.world_from_entity.position.head<2>()};
+    if (const ConfigNode* to = node.find("to")) {
+      for (const Eigen::Vector2d& place : points(*to, 1)) movable.places.push_back(place);
+    }
+    if (const ConfigNode* speed = node.find("speed")) {
+      movable.speed = speed->number(Unit::meter_per_second, between(0.01, 10.0));
+    }
+    if (const ConfigNode* rest = node.find("mean_rest")) {
+      movable.mean_rest = rest->number(Unit::second, between(0.01, 1e6));
+    }
+    world_.movables.push_back(std::move(movable));
   }
 
   void read_paths(const ConfigNode& node) {
@@ -221,6 +253,12 @@ class WorldReader {
     count("walkers", crowd.walkers);
     count("standing", crowd.standing);
     count("blockers", crowd.blockers);
+    if (const ConfigNode* fraction = node.find("pause_fraction")) {
+      crowd.pause_fraction = fraction->number(Unit::none, kFraction);
+    }
+    if (const ConfigNode* pause = node.find("mean_pause")) {
+      crowd.mean_pause = pause->number(Unit::second, between(0.01, 1e6));
+    }
     if (const ConfigNode* routes = node.find("routes")) {
       for (const ConfigNode& item : routes->items()) {
         CrowdRoute route{.name = item.at("name").text(), .points = points(item.at("points"), 2)};

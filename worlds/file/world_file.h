@@ -26,6 +26,8 @@ namespace mapbed {
 //     - {name: crate, box: [1 m, 0.5 m, 0.8 m], at: [3 m, 4 m], heading: 30 deg, material: wood}
 //     - {name: pole, cylinder: {radius: 5 cm, height: 2 m}, at: [5 m, 4 m, 0 m]}
 //     - {name: stage, outline: [[1 m, 1 m], [3 m, 1 m], [2 m, 2 m]], height: 20 cm}
+//   movables:
+//     - {name: seat, piece: office_chair, at: [4 m, 6 m], to: [[5 m, 6 m]], mean_rest: 20 s}
 //   paths:
 //     across: {points: [[1 m, 1 m], [7 m, 1 m]], clearance: 0.3 m, speed: 0.4 m/s}
 //   crowd:

@@ -29,12 +29,18 @@ shapes:  # `at` is x, y and, if needed, the height of the lower side; also headi
   - {name: pole, cylinder: {radius: 5 cm, height: 2 m}, at: [45 m, 5 m, 0 m]}
   - {name: stage, outline: [[41 m, 6 m], [43 m, 6 m], [42 m, 7 m]], height: 20 cm}
   # - {name: statue, mesh: statue.obj, kind: structure}  # furniture where `kind` is left out
+movables:  # what is moved about, from `at` to each place of `to` and round again
+  - {name: trolley, box: [0.9 m, 0.5 m, 0.8 m], at: [44 m, 6 m], to: [[46 m, 6 m]], speed: 0.5 m/s,
+     mean_rest: 20 s}
+  - {name: chair, piece: chair, at: [46 m, 7 m], to: [[47 m, 7 m]]}  # or office_chair
 paths:  # that robots can be sent along: clear of all things, doors open
   across: {points: [[41 m, 1 m], [47 m, 1 m]], clearance: 0.3 m, speed: 0.4 m/s}
 crowd:
   walkers: 4
   standing: 1
   blockers: 0  # step into the robot's way on purpose
+  pause_fraction: 0.3  # probability to pause at a point of the route
+  mean_pause: 5 s
   routes: [{name: to and fro, points: [[41 m, 2 m], [47 m, 2 m]], closed: false, weight: 1}]
   places: [{at: [43 m, 2 m], heading: 90 deg, radius: 0.5 m}]  # where people stand
 )";

@@ -72,6 +72,32 @@ crowd:
   EXPECT_EQ(world.crowd.routes[0].points.size(), 2u);
 }
 
+TEST_F(WorldFile, HasWhatIsMovedAboutBesideTheWorldItself) {
+  const World world = load(R"(
+floor: {from: [0 m, 0 m], to: [8 m, 6 m]}
+movables:
+  - {name: trolley, box: [0.9 m, 0.5 m, 0.8 m], at: [3 m, 4 m], heading: 90 deg,
+     to: [[5 m, 4 m], [5 m, 2 m]], speed: 0.7 m/s, mean_rest: 12 s}
+  - {piece: chair, at: [1 m, 2 m]}
+crowd: {pause_fraction: 0.8, mean_pause: 60 s}
+)");
+  ASSERT_EQ(world.movables.size(), 2U);
+  EXPECT_EQ(world.entities.size(), 1U) << "the floor: what moves is none of the true map";
+  const Movable& trolley = world.movables[0];
+  EXPECT_EQ(trolley.entity.kind, EntityKind::movable);
+  EXPECT_EQ(trolley.entity.name, "trolley");
+  ASSERT_EQ(trolley.places.size(), 3U) << "where it stands comes first";
+  EXPECT_EQ(trolley.places[0], Eigen::Vector2d(3.0, 4.0));
+  EXPECT_EQ(trolley.places[2], Eigen::Vector2d(5.0, 2.0));
+  EXPECT_EQ(trolley.speed, 0.7);
+  EXPECT_EQ(trolley.mean_rest, 12.0);
+  EXPECT_EQ(world.movables[1].entity.name, "chair");
+  EXPECT_EQ(world.movables[1].places.size(), 1U);
+  EXPECT_GE(world.movables[1].entity.parts.size(), 5U) << "four legs and a seat";
+  EXPECT_EQ(world.crowd.pause_fraction, 0.8);
+  EXPECT_EQ(world.crowd.mean_pause, 60.0);
+}
+
 TEST_F(WorldFile, AddsToABuilderWithItsOptions) {
   const World world = load(R"(
 start: corridor

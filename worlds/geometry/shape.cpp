@@ -67,6 +67,8 @@ std::string name_of(EntityKind kind) {
       return "vehicle";
     case EntityKind::plant:
       return "plant";
+    case EntityKind::movable:
+      return "movable";
   }
   CHECK(false && "an entity kind without a name");
 }

@@ -35,7 +35,18 @@ struct Part {
   int material = 0;  // index into the world's materials
 };
 
-enum class EntityKind : int { structure, floor, furniture, door, person, robot, vehicle, plant };
+// movable: what people move about, unlike furniture, which stays where it is.
+enum class EntityKind : int {
+  structure,
+  floor,
+  furniture,
+  door,
+  person,
+  robot,
+  vehicle,
+  plant,
+  movable
+};
 
 // One thing with a name, of one or more parts; moves as a whole.
 struct Entity {
