@@ -4,6 +4,7 @@
 #include <map>
 
 #include "algorithms/scan/scans_on_path.h"
+#include "bench/experiments/labels_by_thing.h"
 #include "bench/metrics/hota.h"
 #include "bench/metrics/identity_f1.h"
 #include "bench/metrics/occlusions.h"
@@ -67,17 +68,11 @@ const std::vector<EvaluatedMetric>& evaluated_metrics() {
        [](E& e) { return of_labels(e, [](const L& l) { return l.waiting.fraction(); }); }},
       {{"recall_people", Unit::none, "label_recall of people alone"},
        [](E& e) {
-         return of_labels(e, [](const L& l) {
-           const auto people = l.by_kind.find(EntityKind::person);
-           return people == l.by_kind.end() ? kNone : people->second.fraction();
-         });
+         return of_labels(e, [](const L& l) { return l.of_movers(EntityKind::person).fraction(); });
        }},
       {{"recall_doors", Unit::none, "label_recall of doors alone"},
        [](E& e) {
-         return of_labels(e, [](const L& l) {
-           const auto doors = l.by_kind.find(EntityKind::door);
-           return doors == l.by_kind.end() ? kNone : doors->second.fraction();
-         });
+         return of_labels(e, [](const L& l) { return l.of_movers(EntityKind::door).fraction(); });
        }},
       {{"resting_removed", Unit::none,
         "of beams on what could move and never does, the fraction called dynamic"},
@@ -267,12 +262,20 @@ std::vector<std::pair<std::string, double>> MovingEvaluator::values() {
     if (!input_.wanted.contains(row.metric.name)) continue;
     values.emplace_back(row.metric.name, row.value(*this));
   }
+  for (const ThingMetric& row : metrics_by_thing()) {
+    if (!input_.wanted.contains(row.metric.name)) continue;
+    const LabelErrors* errors = labels();
+    values.emplace_back(
+        row.metric.name,
+        errors == nullptr ? kNone : fraction_called_dynamic(*errors, row, input_.recording->truth));
+  }
   return values;
 }
 
 std::vector<Metric> moving_metrics() {
   std::vector<Metric> metrics;
   for (const EvaluatedMetric& row : evaluated_metrics()) metrics.push_back(row.metric);
+  for (const ThingMetric& row : metrics_by_thing()) metrics.push_back(row.metric);
   return metrics;
 }
 

@@ -23,9 +23,12 @@ void count(bool is_dynamic, const BeamCause& cause, LabelErrors& errors) {
     case Cause::none:
       return;
     case Cause::place:
-      return count(is_dynamic, errors.place);
+      count(is_dynamic, errors.place);
+      count(is_dynamic, errors.of_place[cause.entity]);
+      break;
     case Cause::resting:
-      return count(is_dynamic, errors.resting);
+      count(is_dynamic, errors.resting);
+      break;
     case Cause::moving:
       count(is_dynamic, errors.moving);
       break;
@@ -33,13 +36,24 @@ void count(bool is_dynamic, const BeamCause& cause, LabelErrors& errors) {
       count(is_dynamic, errors.waiting);
       break;
   }
-  count(is_dynamic, errors.by_kind[cause.kind]);
+  count(is_dynamic, errors.by_kind[{cause.kind, cause.cause}]);
 }
 
 }  // namespace
 
 double LabelCounts::fraction() const {
   return fraction_of(dynamic, beams);
+}
+
+LabelCounts LabelErrors::of_movers(EntityKind kind) const {
+  LabelCounts sum;
+  for (const Cause cause : {Cause::moving, Cause::waiting}) {
+    const auto found = by_kind.find({kind, cause});
+    if (found == by_kind.end()) continue;
+    sum.beams += found->second.beams;
+    sum.dynamic += found->second.dynamic;
+  }
+  return sum;
 }
 
 double LabelErrors::precision() const {

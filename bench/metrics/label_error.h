@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <utility>
 
 #include "bench/metrics/true_causes.h"
 #include "core/labels/beam_labels.h"
@@ -20,7 +21,11 @@ struct LabelErrors {
   LabelCounts moving;
   LabelCounts waiting;
   LabelCounts resting;
-  std::map<EntityKind, LabelCounts> by_kind;  // of moving and waiting
+  // The same by what was met and what it did; and of the place by its things alone.
+  std::map<std::pair<EntityKind, Cause>, LabelCounts> by_kind;
+  std::map<int, LabelCounts> of_place;  // by entity
+
+  LabelCounts of_movers(EntityKind kind) const;  // moving and waiting
 
   double precision() const;  // of the beams called dynamic, the fraction that met a mover
   double recall() const;     // of the beams that met a mover, the fraction called dynamic

@@ -93,7 +93,11 @@ TEST_F(OneOfEachKind, LabelsAreCountedByWhatTheBeamsMet) {
   EXPECT_EQ(errors.precision(), 0.5) << "the visitor counts neither way";
   EXPECT_EQ(errors.static_accuracy(), 0.5);
   EXPECT_EQ(errors.associated_accuracy(), 0.5);
-  EXPECT_EQ(errors.by_kind.at(EntityKind::person).beams, 2);
+  EXPECT_EQ(errors.of_movers(EntityKind::person).beams, 2);
+  EXPECT_EQ(errors.of_movers(EntityKind::door).beams, 0);
+  EXPECT_EQ(errors.by_kind.at({EntityKind::person, Cause::moving}).fraction(), 1.0);
+  EXPECT_EQ(errors.by_kind.at({EntityKind::person, Cause::resting}).fraction(), 1.0);
+  EXPECT_EQ(errors.of_place.at(kWall).dynamic, 1);
 }
 
 TEST_F(OneOfEachKind, WithoutAnyMoverRecallIsNoNumber) {

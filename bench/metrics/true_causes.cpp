@@ -42,9 +42,9 @@ BeamCause TrueCauses::of(const BeamTruth& beam, double range) const {
                        std::abs(static_cast<double>(beam.range) - range) <= most_off_;
   if (!is_told) return {};
   const TruthEntity& entity = truth_.entities[static_cast<std::size_t>(beam.entity)];
-  if (!entity.is_dynamic()) return {Cause::place, entity.kind};
-  if (!movers_.contains(entity.id)) return {Cause::resting, entity.kind};
-  return {beam.motion == Motion::moving ? Cause::moving : Cause::waiting, entity.kind};
+  if (!entity.is_dynamic()) return {Cause::place, entity.kind, entity.id};
+  if (!movers_.contains(entity.id)) return {Cause::resting, entity.kind, entity.id};
+  return {beam.motion == Motion::moving ? Cause::moving : Cause::waiting, entity.kind, entity.id};
 }
 
 std::vector<BeamCause> TrueCauses::of(const LaserScan& scan) const {

@@ -21,6 +21,7 @@ enum class Cause : int {
 struct BeamCause {
   Cause cause = Cause::none;
   EntityKind kind = EntityKind::structure;
+  int entity = -1;  // that the beam met
 };
 
 // What a scan is fused of, or itself as the one part.
