@@ -21,6 +21,11 @@ struct SeriesPoint {
   double value = 0.0;
 };
 
+// Over iterations a run that ended has settled where it was; over time nothing is known then.
+inline bool stays_where_it_ends(const SeriesMetric& metric) {
+  return metric.x_unit == Unit::none;
+}
+
 // Of one run; its units are those of the SeriesMetric of the same name.
 struct Series {
   std::string name;

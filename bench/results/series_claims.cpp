@@ -27,7 +27,7 @@ double x_of(const Claim& claim, const Results& plan) {
                         claim.place);
 }
 
-double taken(const Series& series, Claim::Take take, double x) {
+double taken(const Series& series, const SeriesMetric& metric, Claim::Take take, double x) {
   if (series.points.empty()) return kNone;
   switch (take) {
     case Claim::Take::first:
@@ -35,7 +35,7 @@ double taken(const Series& series, Claim::Take take, double x) {
     case Claim::Take::last:
       return series.points.back().value;
     case Claim::Take::at:
-      return value_at(series, x);
+      return value_at(series, metric, x);
   }
   return kNone;
 }
@@ -83,19 +83,23 @@ Results with_series_as_metrics(const Results& results, const Claim& claim) {
   for (RunRow& run : taken_values.runs) {
     run.values.assign(taken_values.metrics.size(), kNone);
     for (const Series& series : results.series) {
-      const int metric = series.run == run.run ? series_index(results, series.name) : -1;
-      if (metric >= 0) run.values[static_cast<std::size_t>(metric)] = taken(series, claim.take, x);
+      const int index = series.run == run.run ? series_index(results, series.name) : -1;
+      if (index < 0) continue;
+      const SeriesMetric& metric = results.series_metrics[static_cast<std::size_t>(index)];
+      run.values[static_cast<std::size_t>(index)] = taken(series, metric, claim.take, x);
     }
   }
   taken_values.summary = summary_of(taken_values);
   return taken_values;
 }
 
-double value_at(const Series& series, double x) {
+double value_at(const Series& series, const SeriesMetric& metric, double x) {
   const std::vector<SeriesPoint>& points = series.points;
   const auto next = std::lower_bound(points.begin(), points.end(), x,
                                      [](const SeriesPoint& p, double at) { return p.x < at; });
-  if (next == points.end()) return kNone;
+  if (next == points.end()) {
+    return points.empty() || !stays_where_it_ends(metric) ? kNone : points.back().value;
+  }
   if (next->x == x) return next->value;
   if (next == points.begin()) return kNone;
   const SeriesPoint& before = *(next - 1);

@@ -15,10 +15,12 @@ void check_taken_value(const Claim& claim, const Results& plan);
 Claim as_metric_claim(Claim claim, const Results& plan);
 
 // The results as if what the claim takes of each series had been measured: its metrics, runs and
-// summary. A run has no value where its series is missing or ends before x.
+// summary. A run has no value where its series is missing, or ends before x and does
+// not stay there.
 Results with_series_as_metrics(const Results& results, const Claim& claim);
 
-// On the straight line between the neighbours of x; NaN beyond the ends.
-double value_at(const Series& series, double x);
+// On the straight line between the neighbours of x; NaN beyond the ends, but where the metric stays
+// where it ends.
+double value_at(const Series& series, const SeriesMetric& metric, double x);
 
 }  // namespace mapbed

@@ -86,8 +86,16 @@ TEST(SeriesClaims, ARunWhoseSeriesEndsBeforeSpeaksAgainstThem) {
   const Verdict verdict = judged("{series: error, of: raw, at: {time: 7 s}, below: 99 m}", r);
   EXPECT_FALSE(verdict.held);
   EXPECT_THAT(verdict.measured, ::testing::HasSubstr("1 runs without a value"));
-  EXPECT_TRUE(std::isnan(value_at(r.series[0], 7.0)));
-  EXPECT_TRUE(std::isnan(value_at(r.series[0], -1.0)));
+  EXPECT_TRUE(std::isnan(value_at(r.series[0], r.series_metrics[0], 7.0)));
+  EXPECT_TRUE(std::isnan(value_at(r.series[0], r.series_metrics[0], -1.0)));
+}
+
+TEST(SeriesClaims, ARunThatEndedItsIterationsStaysWhereItSettled) {
+  const SeriesMetric residual{"residual", Unit::radian, "iteration", Unit::none, ""};
+  const Series series{"residual", {{0, 4.0}, {1, 2.0}}, 0};
+  EXPECT_EQ(value_at(series, residual, 7.0), 2.0);
+  EXPECT_TRUE(std::isnan(value_at(series, residual, -1.0)));
+  EXPECT_TRUE(std::isnan(value_at({"residual", {}, 0}, residual, 0.0)));
 }
 
 TEST(SeriesClaims, AreRefusedWhereTheyDoNotSayWhatTheyTake) {

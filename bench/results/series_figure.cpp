@@ -42,20 +42,20 @@ std::vector<double> places_of(const SeriesOfRuns& all) {
 }
 
 // Gives the number of runs that end before the others do.
-int draw(const SeriesOfRuns& all, Unit unit, Unit x_unit, PlotSeries& line) {
+int draw(const SeriesOfRuns& all, const SeriesMetric& metric, PlotSeries& line) {
   const std::vector<double> places = places_of(all);
   for (const double x : places) {
     std::vector<double> values;
     for (const Series* series : all) {
-      const double value = value_at(*series, x);
+      const double value = value_at(*series, metric, x);
       if (!std::isnan(value)) values.push_back(value);
     }
     if (values.empty()) continue;
     const Interval interval = bootstrap_interval(values);
-    line.x.push_back(displayed(x, x_unit));
-    line.y.push_back(displayed(mean_of(values), unit));
-    line.low.push_back(displayed(interval.low, unit));
-    line.high.push_back(displayed(interval.high, unit));
+    line.x.push_back(displayed(x, metric.x_unit));
+    line.y.push_back(displayed(mean_of(values), metric.unit));
+    line.low.push_back(displayed(interval.low, metric.unit));
+    line.high.push_back(displayed(interval.high, metric.unit));
   }
   return static_cast<int>(std::count_if(all.begin(), all.end(), [&](const Series* series) {
     return series->points.back().x < places.back();
@@ -115,12 +115,15 @@ Plot series_figure_of(const Results& results, const PlotSpec& spec) {
     if (series.empty()) continue;
     PlotSeries& line =
         line_of(plot, line_name(results, spec, row.level, row.variant, -1), Mark::line);
-    short_runs += draw(series, metric.unit, metric.x_unit, line);
+    short_runs += draw(series, metric, line);
     if (row.runs <= 1) line.low = line.high = {};
   }
   std::string treatment =
       counted.runs_each("mean of {} runs each, band: 95 % bootstrap interval of the mean");
-  if (short_runs > 0) treatment += fmt::format("; {} runs end earlier than others", short_runs);
+  if (short_runs > 0) {
+    treatment += fmt::format("; {} runs end earlier than others{}", short_runs,
+                             stays_where_it_ends(metric) ? " and count with their last value" : "");
+  }
   plot.subtitle = subtitle_of(spec, treatment, counted);
   return plot;
 }

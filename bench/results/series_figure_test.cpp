@@ -60,6 +60,20 @@ TEST(SeriesFigure, RunsAtOtherTimesAreComparedAtEvenSteps) {
   EXPECT_NEAR(plot.series[0].y[1], 1.5 * degrees, 1e-12);
 }
 
+// Of two runs the one that is higher on the whole settles first: without it the mean would fall.
+TEST(SeriesFigure, OverIterationsARunThatSettledStaysInTheMean) {
+  Results r = iterations();
+  r.variants = {"all"};
+  r.series_metrics[0].unit = Unit::none;
+  r.runs = {{.run = 0}, {.run = 1}};
+  r.series = {{"residual", {{0, 10.0}, {1, 12.0}}, 0},
+              {"residual", {{0, 0.0}, {1, 2.0}, {2, 3.0}, {3, 3.5}}, 1}};
+  const Plot plot = series_figure_of(r, kSpec);
+  ASSERT_EQ(plot.series.size(), 1u);
+  EXPECT_THAT(plot.series[0].y, ElementsAre(5.0, 7.0, 7.5, 7.75));
+  EXPECT_THAT(plot.subtitle, HasSubstr("1 runs end earlier than others and count with their last"));
+}
+
 TEST(SeriesFigure, CountsRunsThatFailHaveNoSeriesOrEndBefore) {
   Results r = iterations();
   r.runs[1].failure = "no match";
