@@ -69,6 +69,8 @@ class SjpdafTracker {
     return filters_[person].samples.mass_near(point, radius);
   }
   std::vector<Remark> remarks() const;
+  // Of whom people() tells at that place; for pictures.
+  const PersonParticles& samples(std::size_t person) const { return filters_[person].samples; }
 
  private:
   struct Filter {

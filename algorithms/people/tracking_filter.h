@@ -66,6 +66,10 @@ class TrackingFilter : public BeamFilter {
   std::vector<float> add(const LaserScan& scan, std::span<const float> beam_weights) override;
   FilterResult result(const Trajectory& map_from_robot) const override;
 
+  // For pictures: what each scan so far gave, and who is followed at the newest one.
+  const std::vector<ScanSightings>& scans() const { return scans_; }
+  const Tracker& tracker() const { return tracker_; }
+
  private:
   std::vector<float> probabilities_of_people(const Tracker& tracker, const LaserScan& scan,
                                              const Pose2& local_from_robot) const;

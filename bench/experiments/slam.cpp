@@ -84,15 +84,19 @@ void add_map_server_files(const RunInput& input, const MapOptions& options, cons
   files.push_back({"maps/map.yaml", std::move(text.yaml)});
 }
 
-// The run to be watched, in the world's frame.
-ResultFile replay_file(const RunInput& input, const std::string& estimator,
-                       const Trajectory& world_from_robot) {
+// The run to be watched, in the world's frame: what the laser said as it was recorded, labelled as
+// the method's own input was.
+ResultFile replay_file(const RunInput& input, const SensorLog& prepared,
+                       const std::string& estimator, const SlamEvaluator& evaluator) {
+  const Estimate& estimate = evaluator.estimate();
   Replay replay = input.recording == nullptr
                       ? Replay{.truth = input.truth, .scans = front_scans_of(input.log)}
                       : replay_of(input.recording->truth, input.log);
   replay.title = "The first seed, " + estimator;
   if (input.world != nullptr) replay.outlines = outlines_of(*input.world);
-  replay.estimate = world_from_robot;
+  replay.estimate = evaluator.world_from_robot();
+  if (estimate.labels) replay.labels = labels_of_lasers(*estimate.labels, prepared);
+  if (estimate.tracks) replay.tracks = transformed(*estimate.tracks, evaluator.world_from_map());
   return {"replays/run.json", replay_json(replay)};
 }
 
@@ -190,7 +194,8 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
     }
     // What the laser said, as it came.
     const RunInput input_as_recorded = shortened(whole_input, setup.options.longest);
-    outcome.files.push_back(replay_file(input_as_recorded, setup.method.name, path));
+    outcome.files.push_back(
+        replay_file(input_as_recorded, input.log, setup.method.name, evaluator));
   }
   return outcome;
 }

@@ -111,9 +111,9 @@ SlamEvaluator::SlamEvaluator(const EvaluationOptions& options, const RunInput& i
                              const Estimate& estimate)
     : options_(options), input_(input), estimate_(estimate) {
   pairs_ = associated(input.truth, estimate.trajectory);
-  const Pose2 world_from_map = pairs_.empty() ? Pose2{} : alignment(pairs_);
-  world_from_robot_ = transformed(estimate.trajectory, world_from_map);
-  absolute_ = absolute_error(pairs_, world_from_map);
+  if (!pairs_.empty()) world_from_map_ = alignment(pairs_);
+  world_from_robot_ = transformed(estimate.trajectory, world_from_map_);
+  absolute_ = absolute_error(pairs_, world_from_map_);
   over_path_ = error_over_path(input.truth, estimate.trajectory, options.path_length);
 }
 

@@ -51,7 +51,8 @@ class SlamEvaluator {
   // All of these must outlive the evaluator.
   SlamEvaluator(const EvaluationOptions& options, const RunInput& input, const Estimate& estimate);
 
-  const Trajectory& world_from_robot() const { return world_from_robot_; }  // aligned, the estimate
+  const Pose2& world_from_map() const { return world_from_map_; }           // aligns the estimate
+  const Trajectory& world_from_robot() const { return world_from_robot_; }  // the estimate, aligned
   const OccupancyMap& map();                                                // of these poses
 
   const Estimate& estimate() const { return estimate_; }
@@ -80,6 +81,7 @@ class SlamEvaluator {
   const RunInput& input_;
   const Estimate& estimate_;
   std::vector<PosePair> pairs_;
+  Pose2 world_from_map_;
   Trajectory world_from_robot_;
   PoseErrors absolute_;
   PoseErrors over_path_;

@@ -12,9 +12,11 @@ namespace mapbed {
 namespace {
 
 // A scan is put into the map where the robot has moved since the last one that was: more of one
-// place show nothing new, and all of them move when the path does.
+// place show nothing new but behind those who have moved on, and all of them move when the path
+// does.
 constexpr double kMapDistance = 0.2;  // [m]
 constexpr double kMapTurn = 0.1;      // [rad]
+constexpr double kMapSeconds = 5.0;   // after which one of the same place is put in, too
 
 constexpr float kBranchStep = 0.2F;          // [m] between points of a branch
 constexpr std::size_t kBranchPoints = 4000;  // of all branches of a step
@@ -71,6 +73,7 @@ void CourseRecorder::after(const Measurement& measurement, const Estimator& esti
   look(*scan, estimator);
   tell_(scan->time - course_.start);
   if (scan->time >= course_.start + moments_.to) {
+    tell_what_moves(estimator.estimate());
     is_complete_ = true;
     throw Interrupted();
   }
@@ -78,8 +81,11 @@ void CourseRecorder::after(const Measurement& measurement, const Estimator& esti
 
 void CourseRecorder::take_scan(const LaserScan& scan, const Pose2& map_from_robot) {
   const std::size_t number = taken_++;
-  if (of_newest_map_scan_ && !has_moved(*of_newest_map_scan_, map_from_robot)) return;
-  of_newest_map_scan_ = map_from_robot;
+  const bool is_of_same_place = of_newest_map_scan_ &&
+                                scan.time < of_newest_map_scan_->time + kMapSeconds &&
+                                !has_moved(of_newest_map_scan_->pose, map_from_robot);
+  if (is_of_same_place) return;
+  of_newest_map_scan_ = {scan.time, map_from_robot};
   course_.scans[number] = scan;
   course_.of_map.push_back(number);
 }
@@ -128,7 +134,17 @@ void CourseRecorder::ends(const Estimate& estimate) {
     tell_path(estimate.trajectory, last);
     course_.last = std::move(last);
   }
+  tell_what_moves(estimate);
   is_complete_ = true;
+}
+
+void CourseRecorder::tell_what_moves(const Estimate& estimate) {
+  if (estimate.labels && estimate.labels->size() == taken_) {
+    for (const auto& [number, scan] : course_.scans) {
+      course_.labels[number] = (*estimate.labels)[number];
+    }
+  }
+  if (estimate.tracks) course_.tracks = transformed(*estimate.tracks, course_.world_from_map);
 }
 
 // Its path in the end, from scan to scan.

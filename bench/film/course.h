@@ -39,8 +39,13 @@ struct Course {
   std::vector<std::size_t> of_map;
 
   std::vector<std::vector<Eigen::Vector2d>> outlines;  // [m] of what stands still, in the world
-  Trajectory truth;                                    // world_from_robot; empty: nobody knows
-  std::vector<ReplayTrack> others;                     // people, doors
+  // Of methods that tell what moves, as they hold it in the end: of the scans, by their place in
+  // the path; and who is followed, in the world.
+  std::map<std::size_t, ScanLabels> labels;
+  Tracks tracks;
+
+  Trajectory truth;                 // world_from_robot; empty: nobody knows
+  std::vector<ReplayTrack> others;  // people, doors
 };
 
 // Which moments are looked at.
@@ -63,7 +68,7 @@ class CourseRecorder : public RunViewer {
   void after(const Measurement& measurement, const Estimator& estimator) override;
   void ends(const Estimate& estimate) override;
 
-  bool is_complete() const { return is_complete_; }  // all moments were looked at
+  bool is_complete() const override { return is_complete_; }  // all moments were looked at
   bool has_begun() const { return input_ != nullptr; }
   const Course& course() const { return course_; }
 
@@ -72,6 +77,7 @@ class CourseRecorder : public RunViewer {
   void look(const LaserScan& scan, const Estimator& estimator);
   void tell_path(const Trajectory& path, CourseStep& step);
   void align(const Stamped<Pose2>& first);
+  void tell_what_moves(const Estimate& estimate);
   void replay(const Estimate& estimate);  // of a method that showed nothing on its way
 
   Choose choose_;
@@ -85,7 +91,7 @@ class CourseRecorder : public RunViewer {
   double next_ = 0.0;        // [s] of the next moment, absolute
   std::size_t taken_ = 0;    // scans so far
   std::vector<Pose2> path_;  // at the last step
-  std::optional<Pose2> of_newest_map_scan_;
+  std::optional<Stamped<Pose2>> of_newest_map_scan_;
 };
 
 }  // namespace mapbed

@@ -75,6 +75,16 @@ TEST_F(CourseOf, HasAStepForEachMomentThatIsLookedAt) {
   EXPECT_EQ(recorder.course().of_map.size(), 9u) << "also before the first moment";
 }
 
+TEST_F(CourseOf, OfARobotThatStandsPutsAScanIntoTheMapEveryFiveSeconds) {
+  CourseRecorder recorder = this->recorder({.step = 20.0});
+  recorder.begins(input_, "told");
+  for (const Measurement& measurement : input_.log) {
+    method_.path.push_back({time_of(measurement), {0.0, 0.0, 0.0}});
+    recorder.after(measurement, method_);
+  }
+  EXPECT_THAT(recorder.course().of_map, ElementsAre(0u, 5u, 10u));
+}
+
 TEST_F(CourseOf, TellsOfAPathWhatHasChanged) {
   CourseRecorder recorder = this->recorder({.step = 1.0});
   recorder.begins(input_, "told");
@@ -130,6 +140,52 @@ TEST_F(CourseOf, OfAProgramThatShowsNothingIsItsPathFromScanToScan) {
   EXPECT_THAT(times_of(recorder.course()), ElementsAre(101.0, 105.0, 109.0));
   EXPECT_EQ(recorder.course().steps.back().later.size(), 4u);
   EXPECT_THAT(recorder.course().steps.back().particles, IsEmpty());
+}
+
+// Of each scan the one beam is called dynamic; somebody is followed 3 m ahead of the start.
+Estimate telling_what_moves(const Trajectory& path) {
+  Estimate estimate{.trajectory = path, .labels = BeamLabels{}};
+  for (const Stamped<Pose2>& pose : path) estimate.labels->push_back({pose.time, 0, {0.1F}});
+  estimate.tracks = Tracks{{1, {{.time = 100.0, .position = {3.0, 0.0}}}}};
+  return estimate;
+}
+
+class TellsWhatMoves : public Told {
+ public:
+  Estimate estimate() const override { return telling_what_moves(path); }
+};
+
+void expect_what_moves(const Course& course) {
+  ASSERT_EQ(course.labels.size(), course.scans.size());
+  EXPECT_TRUE(is_dynamic(course.labels.begin()->second, 0));
+  ASSERT_EQ(course.tracks.size(), 1u);
+  // The map's x axis is the world's y axis, and it begins at (5, 5).
+  EXPECT_NEAR((course.tracks[0].states[0].position - Eigen::Vector2d(5.0, 8.0)).norm(), 0.0, 1e-9);
+}
+
+TEST_F(CourseOf, TellsWhatMovesAsItIsHeldInTheEnd) {
+  CourseRecorder recorder = this->recorder({.step = 1.0});
+  recorder.begins(input_, "told");
+  drive(recorder);
+  EXPECT_TRUE(recorder.course().labels.empty());
+  recorder.ends(telling_what_moves(method_.path));
+  expect_what_moves(recorder.course());
+}
+
+TEST_F(CourseOf, TellsWhatMovesWhereItEndsBeforeTheRun) {
+  CourseRecorder recorder = this->recorder({.to = 4.0, .step = 1.0});
+  recorder.begins(input_, "told");
+  TellsWhatMoves method;
+  EXPECT_THROW(
+      {
+        for (const Measurement& measurement : input_.log) {
+          const double time = time_of(measurement);
+          method.path.push_back({time, {time - 100.0, 0.0, 0.0}});
+          recorder.after(measurement, method);
+        }
+      },
+      Interrupted);
+  expect_what_moves(recorder.course());
 }
 
 TEST_F(CourseOf, EndsWhereItIsNotToGoOn) {

@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "bench/film/track_painter.h"
 #include "bench/plot/map_legend.h"
 #include "bench/plot/map_raster.h"
+#include "bench/plot/track_style.h"
 #include "core/image/drawing.h"
 
 namespace mapbed {
@@ -18,6 +20,7 @@ constexpr Rgb kTruth{0, 158, 115};
 constexpr Rgb kEstimate{0, 114, 178};
 constexpr Rgb kParticle{230, 159, 0};
 constexpr Rgb kHit{213, 94, 0};
+constexpr Rgb kStaticHit{85, 85, 85};  // beside what is called dynamic
 constexpr Rgb kPerson{204, 121, 167};
 constexpr Rgb kOther{153, 153, 153};
 constexpr Rgb kEdge{68, 68, 68};
@@ -41,11 +44,21 @@ std::vector<LegendItem> legend_of(const Course& course) {
       std::any_of(course.steps.begin(), course.steps.end(),
                   [](const CourseStep& step) { return !step.particles.empty(); });
   if (has_particles) items.push_back({Kind::disc, kParticle, "particles"});
-  items.push_back({Kind::disc, kHit, "laser"});
+  if (course.labels.empty()) {
+    items.push_back({Kind::disc, kHit, "laser"});
+  } else {
+    items.push_back({Kind::disc, kStaticHit, "laser"});
+    items.push_back({Kind::disc, kDynamicColor, "called dynamic"});
+  }
+  if (!course.tracks.empty()) {
+    items.push_back({Kind::line, kTrackColors[0], "people followed (ring: hidden)"});
+  }
   const bool has_people =
       std::any_of(course.others.begin(), course.others.end(),
                   [](const ReplayTrack& other) { return other.kind == "person"; });
-  if (has_people) items.push_back({Kind::disc, kPerson, "people"});
+  if (has_people) {
+    items.push_back({Kind::disc, kPerson, course.tracks.empty() ? "people" : "people in truth"});
+  }
   if (!course.outlines.empty()) items.push_back({Kind::line, kOutline, "walls in truth"});
   return items;
 }
@@ -83,6 +96,7 @@ FilmPainter::FilmPainter(const Course& course, int longest_side, double speed)
       speed_(speed),
       view_(view_of(course, longest_side)),
       map_(view_.frame, view_.cells_x, view_.cells_y),
+      has_labels_(!course.labels.empty()),
       footer_(footer_of(course, view_)),
       frame_(view_.width(), view_.height() + footer_.height(), kWhite),
       coverage_(frame_.width(), frame_.height()) {}
@@ -93,7 +107,12 @@ std::vector<Rgb> FilmPainter::palette() {
   std::vector<Rgb> colors{kWhite, kUnknownColor, kBlack};
   const Rgb grounds[] = {kWhite, kUnknownColor, mixed(kWhite, kBeams, kBeamOpacity),
                          mixed(kUnknownColor, kBeams, kBeamOpacity), kBlack};
-  for (const Rgb& ink : {kTruth, kEstimate, kParticle, kHit, kPerson, kOther, kEdge, kOutline}) {
+  for (const Rgb& ink : kTrackColors) {
+    colors.push_back(ink);
+    for (const Rgb& ground : {kWhite, kUnknownColor}) colors.push_back(mixed(ground, ink, 0.5));
+  }
+  for (const Rgb& ink :
+       {kTruth, kEstimate, kParticle, kHit, kPerson, kOther, kEdge, kOutline, kDynamicColor}) {
     colors.push_back(ink);
     for (const Rgb& ground : grounds) {
       for (const double strength : {0.25, 0.5, 0.75}) {
@@ -134,7 +153,9 @@ void FilmPainter::take(const CourseStep& step) {
 void FilmPainter::draw(const CourseStep* step, double time) {
   for (const std::size_t number : course_.of_map) {
     if (number >= path_.size()) break;
-    map_.put(number, course_.scans.at(number), path_[number]);
+    const auto labels = course_.labels.find(number);
+    map_.put(number, course_.scans.at(number), path_[number],
+             labels == course_.labels.end() ? nullptr : &labels->second);
   }
   if (view_.pixels_per_cell == 1) {
     const std::vector<Rgb>& map = map_.picture().pixels();
@@ -149,13 +170,14 @@ void FilmPainter::draw(const CourseStep* step, double time) {
     coverage_.add_stroke(line, 1.0);
   }
   coverage_.blend_into(frame_, kOutline, 0.6);
+  if (has_labels_) draw_others(time);  // below what the laser met of them
   if (step != nullptr && !path_.empty()) {
-    const auto scan = course_.scans.find(path_.size() - 1);
-    if (scan != course_.scans.end()) draw_beams(scan->second, path_.back());
+    draw_beams(path_.size() - 1, path_.back());
     draw_branches(*step);
   }
   draw_paths(time);
-  draw_others(time);
+  if (!has_labels_) draw_others(time);
+  draw_tracks(course_.tracks, time, view_, coverage_, frame_);
   const std::optional<Pose2> truth = pose_at(course_.truth, step == nullptr ? time : step->time);
   if (truth) draw_robot(*truth, kTruth);
   if (!path_.empty()) draw_robot(path_.back(), kEstimate);
@@ -163,22 +185,31 @@ void FilmPainter::draw(const CourseStep* step, double time) {
   draw_words(step, time);
 }
 
-void FilmPainter::draw_beams(const LaserScan& scan, const Pose2& world_from_robot) {
+void FilmPainter::draw_beams(std::size_t number, const Pose2& world_from_robot) {
+  const auto found = course_.scans.find(number);
+  if (found == course_.scans.end()) return;
+  const LaserScan& scan = found->second;
+  const auto labels = course_.labels.find(number);
   std::vector<Eigen::Vector2d> corners{
       view_.pixel_of(world_from_robot * scan.robot_from_laser.planar.position())};
-  std::vector<Eigen::Vector2d> hits;
+  std::vector<Eigen::Vector2d> hits, dynamic_hits;
   for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
     const bool says_nothing =
         !(scan.ranges[beam] > 0.0) || (scan.is_max_range(beam) && scan.max_range > kNoReturnRange);
     const double range =
         says_nothing ? 0.0 : std::min({scan.ranges[beam], scan.max_range, kUsableRange});
     corners.push_back(view_.pixel_of(world_from_robot * scan.point_on(beam, range)));
-    if (scan.is_hit(beam) && range == scan.ranges[beam]) hits.push_back(corners.back());
+    if (!scan.is_hit(beam) || range != scan.ranges[beam]) continue;
+    const bool is_dynamic =
+        labels != course_.labels.end() && mapbed::is_dynamic(labels->second, beam);
+    (is_dynamic ? dynamic_hits : hits).push_back(corners.back());
   }
   coverage_.add_polygon(corners);
   coverage_.blend_into(frame_, kBeams, kBeamOpacity);
   for (const Eigen::Vector2d& hit : hits) coverage_.add_disc(hit, 1.4);
-  coverage_.blend_into(frame_, kHit);
+  coverage_.blend_into(frame_, has_labels_ ? kStaticHit : kHit);
+  for (const Eigen::Vector2d& hit : dynamic_hits) coverage_.add_disc(hit, 2.0);
+  coverage_.blend_into(frame_, kDynamicColor);
 }
 
 void FilmPainter::draw_branches(const CourseStep& step) {

@@ -33,7 +33,7 @@ class FilmPainter {
  private:
   void take(const CourseStep& step);
   void draw(const CourseStep* step, double time);
-  void draw_beams(const LaserScan& scan, const Pose2& world_from_robot);
+  void draw_beams(std::size_t number, const Pose2& world_from_robot);
   void draw_branches(const CourseStep& step);
   void draw_paths(double time);
   void draw_others(double time);
@@ -48,6 +48,7 @@ class FilmPainter {
   double speed_;
   FilmView view_;
   GrowingMap map_;
+  bool has_labels_;
   RgbImage footer_;  // with the legend
   RgbImage frame_;
   Coverage coverage_;

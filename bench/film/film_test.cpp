@@ -12,6 +12,7 @@
 
 #include "bench/film/film_painter.h"
 #include "bench/plot/map_raster.h"
+#include "bench/plot/track_style.h"
 #include "bench/process/child_process.h"
 #include "core/file/text_file.h"
 #include "core/image/animation.h"
@@ -93,6 +94,54 @@ TEST(FilmPainter, ItsPaletteHasWhatItPaints) {
   };
   const auto there = std::count_if(frame.pixels().begin(), frame.pixels().end(), is_there);
   EXPECT_GT(static_cast<double>(there), 0.9 * static_cast<double>(frame.pixels().size()));
+}
+
+TEST(FilmPainter, ShowsWhatIsCalledDynamicAndWhoIsFollowed) {
+  Course course = course_of_a_room();
+  const auto picture = [](const Course& shown, double time) {
+    FilmPainter painter(shown, 300, 1.0);
+    RgbImage image;
+    for (double t = 0.0; t <= time; t += 1.0) image = painter.frame_at(t);
+    const int above_legend = image.height() - 60;
+    image.pixels().resize(static_cast<std::size_t>(image.width()) *
+                          static_cast<std::size_t>(above_legend));
+    return image;
+  };
+  EXPECT_EQ(count_of(picture(course, 2.0), kDynamicColor), 0);
+  ScanLabels labels{.static_probability = std::vector<float>(180, 1.0F)};
+  labels.static_probability[45] = 0.0F;  // to the left
+  course.labels[2] = labels;
+  EXPECT_GT(count_of(picture(course, 2.0), kDynamicColor), 0);
+
+  const Rgb color = track_color(4);
+  EXPECT_EQ(count_of(picture(course, 2.0), color), 0);
+  course.tracks = {
+      {4, {{.time = 0.0, .position = {1.0, 1.0}}, {.time = 1.0, .position = {1.0, 1.0}}}}};
+  EXPECT_GT(count_of(picture(course, 1.0), color), 20) << "a disc, its number";
+  EXPECT_EQ(count_of(picture(course, 2.0), color), 0) << "no longer";
+  EXPECT_EQ(count_of(picture(course_of_a_room(), 1.0), color), 0);
+}
+
+TEST(FilmPainter, SomebodyHiddenIsARingOfHowSurelyHeIsThere) {
+  Course course = course_of_a_room();
+  course.tracks = {{4, {{.time = 0.0, .position = {1.0, 1.0}, .occluded = true}}}};
+  const auto extent = [&](double sigma) {
+    course.tracks[0].states[0].covariance = sigma * sigma * Eigen::Matrix2d::Identity();
+    FilmPainter painter(course, 600, 1.0);
+    const RgbImage& image = painter.frame_at(0.0);
+    int left = image.width(), right = 0;
+    for (int y = 0; y < image.height() - 60; ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        if (image.at(x, y) != track_color(4)) continue;
+        left = std::min(left, x);
+        right = std::max(right, x);
+      }
+    }
+    return right - left;
+  };
+  const double pixels_per_meter = 600 / 7.4;  // 6 m and the border
+  EXPECT_NEAR(extent(0.5), 2 * 0.5 * pixels_per_meter, 6.0);
+  EXPECT_NEAR(extent(1.0), 2 * 1.0 * pixels_per_meter, 6.0);
 }
 
 class FilmFile : public ::testing::Test {

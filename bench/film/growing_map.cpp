@@ -41,27 +41,30 @@ bool GrowingMap::is_same(const Pose2& a, const Pose2& b) const {
   return distance(a, b) < off && turn * kSameReach < off;
 }
 
-void GrowingMap::put(std::size_t number, const LaserScan& scan, const Pose2& map_from_robot) {
+void GrowingMap::put(std::size_t number, const LaserScan& scan, const Pose2& map_from_robot,
+                     const ScanLabels* labels) {
   const auto [at, is_new] = poses_.try_emplace(number, map_from_robot);
   if (!is_new) {
     if (is_same(at->second, map_from_robot)) return;
-    count(scan, at->second, -1U);
+    count(scan, at->second, labels, -1U);
     at->second = map_from_robot;
   }
-  count(scan, map_from_robot, 1U);
+  count(scan, map_from_robot, labels, 1U);
 }
 
 // Counts wrap round: what is taken out again was put in before.
-void GrowingMap::count(const LaserScan& scan, const Pose2& map_from_robot, std::uint32_t sign) {
+void GrowingMap::count(const LaserScan& scan, const Pose2& map_from_robot, const ScanLabels* labels,
+                       std::uint32_t sign) {
   const CellBox all{{0, 0}, {cells_.width() - 1, cells_.height() - 1}};
   const auto cell_at = [&](CellIndex index) {
     return &cells_.at(index.x, cells_.height() - 1 - index.y);
   };
-  for_each_beam(scan, map_from_robot, {}, [&](std::size_t, const Beam& beam) {
+  for_each_beam(scan, map_from_robot, {}, [&](std::size_t n, const Beam& beam) {
     const CoveredCell last = traverse(beam.start, beam.end, frame_, [&](CellIndex index, double) {
       if (all.contains(index)) cell_at(index)->misses += sign;
     });
-    if (beam.hit && all.contains(last.cell)) cell_at(last.cell)->hits += sign;
+    const bool meets = beam.hit && (labels == nullptr || !is_dynamic(*labels, n));
+    if (meets && all.contains(last.cell)) cell_at(last.cell)->hits += sign;
     extend(changed_, frame_.cell_of(beam.start), all);
     extend(changed_, last.cell, all);
   });

@@ -7,6 +7,7 @@
 #include "algorithms/grid/grid_frame.h"
 #include "core/geometry/pose2.h"
 #include "core/image/image.h"
+#include "core/labels/beam_labels.h"
 #include "core/sensor/laser_scan.h"
 
 namespace mapbed {
@@ -19,14 +20,16 @@ class GrowingMap {
   GrowingMap(const GridFrame& frame, int width, int height);
 
   // The scan of that number is at this pose, wherever it was before. Poses that differ by less than
-  // a part of a cell are the same.
-  void put(std::size_t number, const LaserScan& scan, const Pose2& map_from_robot);
+  // a part of a cell are the same. With labels, dynamic beams end in nothing, as in build_map().
+  void put(std::size_t number, const LaserScan& scan, const Pose2& map_from_robot,
+           const ScanLabels* labels = nullptr);
 
   // Free is white, occupied black, unknown grey-blue.
   const RgbImage& picture();
 
  private:
-  void count(const LaserScan& scan, const Pose2& map_from_robot, std::uint32_t sign);
+  void count(const LaserScan& scan, const Pose2& map_from_robot, const ScanLabels* labels,
+             std::uint32_t sign);
   bool is_same(const Pose2& a, const Pose2& b) const;
 
   GridFrame frame_;

@@ -51,6 +51,15 @@ TEST_F(GrowingMapOf, AnotherScanThatWasThereStays) {
   EXPECT_EQ(row(0), "..#  ");
 }
 
+TEST_F(GrowingMapOf, ADynamicBeamClearsItsWayAndLeavesNothingAtItsEnd) {
+  const ScanLabels labels{.static_probability = {0.2F}};
+  map_.put(0, beam_of_two_meters(), {0.0, 1.0, 0.0}, &labels);
+  EXPECT_EQ(row(1), "..   ");
+  map_.put(0, beam_of_two_meters(), {2.0, 0.0, 0.0}, &labels);
+  EXPECT_EQ(row(1), "     ") << "it was moved";
+  EXPECT_EQ(row(0), "  .. ");
+}
+
 TEST_F(GrowingMapOf, WhatLiesOutsideIsLeftOut) {
   map_.put(0, beam_of_two_meters(), {4.0, 1.0, 0.0});
   map_.put(1, beam_of_two_meters(), {0.0, 50.0, 0.0});

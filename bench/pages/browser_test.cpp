@@ -48,6 +48,23 @@ addEventListener("load", () => {
     const c = page.querySelector("canvas");
     const pixels = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
     result.dataset.drawn = String(pixels.some((x) => x !== 0));
+    const pixelsLike = (r, g, b) => {
+      const copy = new OffscreenCanvas(c.width, c.height).getContext("2d", { willReadFrequently: true });
+      copy.drawImage(c, 0, 0);
+      const p = copy.getImageData(0, 0, c.width, c.height).data;
+      let count = 0;
+      for (let i = 0; i < p.length; i += 4) {
+        if (p[i + 3] > 100 && Math.abs(p[i] - r) + Math.abs(p[i + 1] - g) + Math.abs(p[i + 2] - b) < 40) ++count;
+      }
+      return count;
+    };
+    const hidden = (layer, count) => {
+      const before = count();
+      page.querySelector(`input[name=${layer}]`).click();
+      return before > 0 && count() === 0;
+    };
+    result.dataset.dynamic = hidden("labels", () => pixelsLike(230, 120, 0));
+    result.dataset.followed = hidden("tracks", () => pixelsLike(170, 68, 153));
     const press = (key) => c.dispatchEvent(new frame.contentWindow.KeyboardEvent("keydown", { key }));
     press("ArrowDown");
     result.dataset.otherRun = page.querySelector("output").textContent;
@@ -126,6 +143,9 @@ TEST_P(Browser, ShowsAScenariosPage) {
   EXPECT_THAT(result_of(seen), HasSubstr("data-too-wide=\"0\""));
   EXPECT_THAT(result_of(seen), HasSubstr("data-sorted=\"descending\""));
   EXPECT_THAT(result_of(seen), HasSubstr("data-drawn=\"true\""));
+  // What is called dynamic and who is followed are seen, until their boxes are cleared.
+  EXPECT_THAT(result_of(seen), HasSubstr("data-dynamic=\"true\""));
+  EXPECT_THAT(result_of(seen), HasSubstr("data-followed=\"true\""));
   // 5 s into the replays the estimate is 2 and 10 cm off for each of them.
   EXPECT_THAT(result_of(seen), HasSubstr("data-clock=\"5.0 s of 9.8 s, estimate off by 0.10 m\""));
   EXPECT_THAT(result_of(seen),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 
@@ -75,24 +76,31 @@ struct Layer {
   const char* text;
   const char* color;
 };
-constexpr std::array<Layer, 6> kLayers = {{{"truth", "true path", "#009e73"},
+constexpr std::array<Layer, 8> kLayers = {{{"truth", "true path", "#009e73"},
                                            {"estimate", "estimate", "#0072b2"},
                                            {"odometry", "odometry", "#e69f00"},
                                            {"scans", "scan", "#d55e00"},
+                                           {"labels", "called dynamic", "#e67800"},
                                            {"others", "people and doors", "#cc79a7"},
+                                           {"tracks", "people followed; dashed: hidden", "#882255"},
                                            {"map", "map", "#777777"}}};
+constexpr const char* kScanBesideLabels = "#555555";
+
+bool any_has(const Json& runs, const char* layer) {
+  return std::any_of(runs.begin(), runs.end(),
+                     [&](const Json& run) { return run.contains(layer); });
+}
 
 // Every layer that one of the runs has.
 std::string check_boxes(const Json& runs) {
   std::string html;
   for (const Layer& layer : kLayers) {
-    const bool is_there = std::any_of(runs.begin(), runs.end(),
-                                      [&](const Json& run) { return run.contains(layer.name); });
-    if (!is_there) continue;
+    if (!any_has(runs, layer.name)) continue;
+    const bool is_beside = std::string_view(layer.name) == "scans" && any_has(runs, "labels");
     html += fmt::format(
         "<label><input type=\"checkbox\" name=\"{}\" checked> <span class=\"key\" "
         "style=\"border-color:{}\"></span>{}</label>\n",
-        layer.name, layer.color, layer.text);
+        layer.name, is_beside ? kScanBesideLabels : layer.color, layer.text);
   }
   return html;
 }

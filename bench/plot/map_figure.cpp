@@ -95,6 +95,24 @@ Size place(std::vector<Panel>& panels, std::size_t in_row, double of_pixel) {
   return size;
 }
 
+// A block of the map wide.
+void draw_dynamic(RgbImage& figure, const Panel& panel, int blocks_x, int blocks_y) {
+  for (const Eigen::Vector2d& point : panel.of->dynamic.points) {
+    const CellIndex cell = panel.of->map.cell_of(point);
+    if (!panel.box.contains(cell)) continue;
+    const int x = (cell.x - panel.box.min.x) / panel.cells_per_block;
+    const int y = (panel.box.max.y - cell.y) / panel.cells_per_block;
+    const auto edge = [](int block, int blocks, int pixels) {
+      return (block * pixels + blocks - 1) / blocks;
+    };
+    for (int py = edge(y, blocks_y, panel.height); py < edge(y + 1, blocks_y, panel.height); ++py) {
+      for (int px = edge(x, blocks_x, panel.width); px < edge(x + 1, blocks_x, panel.width); ++px) {
+        figure.at(panel.x + px, panel.y + py) = kDynamicColor;
+      }
+    }
+  }
+}
+
 void draw(RgbImage& figure, const Panel& panel) {
   const RgbImage blocks = image_of_cells(panel.of->map, panel.box, panel.cells_per_block);
   for (int y = 0; y < panel.height; ++y) {
@@ -103,6 +121,7 @@ void draw(RgbImage& figure, const Panel& panel) {
       figure.at(panel.x + x, panel.y + y) = blocks.at(x * blocks.width() / panel.width, from_y);
     }
   }
+  draw_dynamic(figure, panel, blocks.width(), blocks.height());
   draw_text(figure, Eigen::Vector2d(panel.x, panel.y - 8), panel.of->name,
             {.size = kLegendTextSize});
 }
@@ -120,7 +139,12 @@ RgbImage figure_of(const std::vector<NamedMap>& maps, int longest_side) {
   const std::size_t in_row = panels_in_row(panels.size());
   const double of_pixel = choose_scale(panels, longest(panels, in_row) / longest_side);
   const Size size = place(panels, in_row, of_pixel);
-  const std::vector<LegendItem> legend = legend_of_cells();
+  std::vector<LegendItem> legend = legend_of_cells();
+  for (const NamedMap& map : maps) {
+    if (map.dynamic.points.empty()) continue;
+    legend.push_back({LegendItem::Kind::area, kDynamicColor, map.dynamic.name});
+    break;
+  }
   const double width = size.width - 2 * kMargin;
   const int below = (legend_rows(legend, width) + 1) * kLegendRow;
   RgbImage figure(size.width, size.height + below, kWhite);

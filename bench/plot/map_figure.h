@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/grid/occupancy_map.h"
+#include "bench/plot/map_picture.h"
 #include "core/image/image.h"
 
 namespace mapbed {
@@ -11,6 +12,7 @@ namespace mapbed {
 struct NamedMap {
   std::string name;  // above it; may be empty
   OccupancyMap map;
+  DrawnPoints dynamic = {};  // drawn over it, as in picture_of()
 };
 
 // Several maps as one figure, all at the same scale whatever their resolutions are: left to right,

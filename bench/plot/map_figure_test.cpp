@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/plot/map_raster.h"
+
 namespace mapbed {
 namespace {
 
@@ -63,6 +65,21 @@ TEST(MapFigure, HasRoomForNamesThatAreLongerThanTheirMaps) {
   const std::vector<NamedMap> one = {{name, room(0.1, 1.0, 1.0)}};
   const std::vector<NamedMap> two = {{name, room(0.1, 1.0, 1.0)}, {name, room(0.1, 1.0, 1.0)}};
   EXPECT_GT(figure_of(two, 400).width(), figure_of(one, 400).width() + 150);
+}
+
+TEST(MapFigure, ShowsWhatMetWhatMovesWithItsLegend) {
+  NamedMap map{"", room(0.1, 12.0, 4.0)};
+  const auto orange = [&] {
+    const RgbImage figure = figure_of({map, map}, 960);  // 4 pixels for a cell
+    const std::vector<Rgb>& pixels = figure.pixels();
+    return std::count(pixels.begin(), pixels.end(), kDynamicColor);
+  };
+  EXPECT_EQ(orange(), 0);
+  map.dynamic = {"met what moves", {{3.05, 2.05}, {50.0, 2.0}}};
+  const auto in_legend = orange() - 2 * 4 * 4;
+  EXPECT_GT(in_legend, 100);
+  map.dynamic.points.emplace_back(3.15, 2.05);
+  EXPECT_EQ(orange() - in_legend, 2 * 4 * 8);
 }
 
 TEST(MapFigure, IsDrawnOfAMapOfWhichNothingIsKnown) {

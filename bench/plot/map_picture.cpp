@@ -1,6 +1,8 @@
 #include "bench/plot/map_picture.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,6 +10,7 @@
 #include "algorithms/scan/scans_on_path.h"
 #include "bench/plot/map_legend.h"
 #include "bench/plot/map_raster.h"
+#include "bench/plot/track_style.h"
 #include "core/image/color_map.h"
 #include "core/image/drawing.h"
 
@@ -121,8 +124,6 @@ void draw_path(RgbImage& image, const DrawnPath& path, const Rgb& color, double 
   fill_disc(image, pieces.front().front(), 5.0, kBlack);
 }
 
-constexpr Rgb kOfWhatMoves{230, 120, 0};
-
 void draw_points(RgbImage& image, const DrawnPoints& points, const OccupancyMap& map,
                  const Layout& layout) {
   const int side = layout.pixels_per_cell;
@@ -132,13 +133,32 @@ void draw_points(RgbImage& image, const DrawnPoints& points, const OccupancyMap&
     const int x = static_cast<int>(corner.x()) - (static_cast<int>(corner.x()) - kMargin) % side;
     const int y = static_cast<int>(corner.y()) - (static_cast<int>(corner.y()) - kMargin) % side;
     for (int dy = 0; dy < side; ++dy) {
-      for (int dx = 0; dx < side; ++dx) image.at(x + dx, y + dy) = kOfWhatMoves;
+      for (int dx = 0; dx < side; ++dx) image.at(x + dx, y + dy) = kDynamicColor;
     }
   }
 }
 
+void draw_track(RgbImage& image, const ObjectTrack& track, const OccupancyMap& map,
+                const Layout& layout, const Reach& reach) {
+  const Rgb color = track_color(track.id);
+  std::optional<Eigen::Vector2d> last;
+  for (const TrackState& state : track.states) {
+    if (!reach.shows(state.position) || !layout.box.contains(map.cell_of(state.position))) {
+      last.reset();
+      continue;
+    }
+    const Eigen::Vector2d place = pixel_of(state.position, map, layout);
+    const double opacity = state.occluded ? 0.3 : 1.0;
+    if (last) draw_line(image, *last, place, {.color = color, .width = 1.6, .opacity = opacity});
+    last = place;
+  }
+  if (!last) return;
+  draw_text(image, *last + Eigen::Vector2d(4.0, -4.0), std::to_string(track.id),
+            {.size = 13.0, .color = color, .halo = 2.0});
+}
+
 std::vector<LegendItem> legend_of(const std::vector<DrawnPath>& paths, const DrawnPoints& points,
-                                  const Reach& reach) {
+                                  const Tracks& tracks, const Reach& reach) {
   std::vector<LegendItem> items;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const int far = reach.not_shown(paths[i]);
@@ -147,7 +167,10 @@ std::vector<LegendItem> legend_of(const std::vector<DrawnPath>& paths, const Dra
   }
   if (!paths.empty()) items.push_back({LegendItem::Kind::disc, kBlack, "start"});
   if (!points.points.empty()) {
-    items.push_back({LegendItem::Kind::area, kOfWhatMoves, points.name});
+    items.push_back({LegendItem::Kind::area, kDynamicColor, points.name});
+  }
+  if (!tracks.empty()) {
+    items.push_back({LegendItem::Kind::line, kTrackColors[0], "followed (faint: not seen)"});
   }
   for (LegendItem& item : legend_of_cells()) items.push_back(std::move(item));
   return items;
@@ -156,13 +179,14 @@ std::vector<LegendItem> legend_of(const std::vector<DrawnPath>& paths, const Dra
 }  // namespace
 
 RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths,
-                    const PictureOptions& options, const DrawnPoints& points) {
+                    const PictureOptions& options, const DrawnPoints& points,
+                    const Tracks& tracks) {
   const CellBox surroundings = box_of_surroundings(map);
   const Reach reach(map, surroundings, paths);
   const Layout layout =
       layout_of(box_around(map, surroundings, paths, reach), options.longest_side);
   const int width = std::max(layout.width(), kMinWidth);
-  const std::vector<LegendItem> items = legend_of(paths, points, reach);
+  const std::vector<LegendItem> items = legend_of(paths, points, tracks, reach);
   const int legend_height = (legend_rows(items, width) + 1) * kLegendRow;
 
   RgbImage image(width + 2 * kMargin, layout.height() + 3 * kMargin + legend_height, kWhite);
@@ -173,6 +197,7 @@ RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths
     const double line = 1.8 + 2.4 * static_cast<double>(paths.size() - 1 - i);
     draw_path(image, paths[i], color_of_path(i, points), line, map, layout, reach);
   }
+  for (const ObjectTrack& track : tracks) draw_track(image, track, map, layout, reach);
 
   const Eigen::Vector2d below(kMargin, layout.height() + 2 * kMargin + kLegendRow / 2);
   const double pixels_per_meter =

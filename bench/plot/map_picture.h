@@ -11,6 +11,7 @@
 #include "core/geometry/trajectory.h"
 #include "core/image/image.h"
 #include "core/labels/beam_labels.h"
+#include "core/labels/tracks.h"
 
 namespace mapbed {
 
@@ -36,8 +37,10 @@ struct PictureOptions {
 // agree all are seen; a disc where each begins, and in the legend how many of its poses lie so far
 // out that the picture does not show them; below, a scale bar and a legend. Where a pixel holds
 // several cells, thin walls stay visible. Points are orange, a cell wide, below the paths.
+// Tracks are thin, faint where nothing was seen, each with its number at its end.
 RgbImage picture_of(const OccupancyMap& map, const std::vector<DrawnPath>& paths,
-                    const PictureOptions& options = {}, const DrawnPoints& points = {});
+                    const PictureOptions& options = {}, const DrawnPoints& points = {},
+                    const Tracks& tracks = {});
 
 // Where the dynamic beams of a log ended; none where there are no labels. Labels as build_map()
 // takes them.

@@ -58,6 +58,22 @@ TEST(MapPicture, ShowsPointsInTheirCellsAndSaysWhatTheyAre) {
   EXPECT_EQ(with.at(x + kZoom, y), without.at(x + kZoom, y));
 }
 
+TEST(MapPicture, DrawsTracksAndWhereNothingWasSeenFaintly) {
+  ObjectTrack track{.id = 2};
+  for (const double x : {1.05, 3.05, 5.05}) track.states.push_back({.position = {x, 2.05}});
+  track.states.back().occluded = true;
+  const RgbImage with = picture_of(hall(), {}, {}, {}, {track});
+  const int row = kMargin + (39 - 20) * kZoom + kZoom / 2;
+  const auto at = [&](double meters) {
+    return with.at(kMargin + static_cast<int>(meters / 0.1 * kZoom), row);
+  };
+  EXPECT_EQ(at(0.5), kWhite);
+  EXPECT_LT(at(2.0).red, 100) << "green";
+  EXPECT_GT(at(2.0).green, at(2.0).red + 50);
+  EXPECT_GT(at(4.0).red, at(2.0).red + 50) << "fainter";
+  EXPECT_NE(at(4.0), kWhite);
+}
+
 TEST(MapPicture, PointsAreTheEndsOfDynamicBeamsAlone) {
   LaserScan scan;
   scan.max_range = 8.0;

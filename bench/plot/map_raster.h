@@ -6,6 +6,7 @@
 namespace mapbed {
 
 inline constexpr Rgb kUnknownColor{205, 214, 224};
+inline constexpr Rgb kDynamicColor{230, 120, 0};  // where beams met what moves
 
 // The box of what is known, without the far ends of stray beams: a few that went out of a window
 // would shrink the building to a corner. Empty where nothing is known.

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -50,10 +51,15 @@ Json track_json(const Trajectory& track, double start, int max_steps) {
   return json;
 }
 
+// One beam in so many is kept.
+std::size_t stride_of(const LaserScan& scan, int max_beams) {
+  const auto most = static_cast<std::size_t>(max_beams);
+  return std::max<std::size_t>(1, (scan.ranges.size() + most - 1) / most);
+}
+
 Json scan_json(const LaserScan& scan, double start, int max_beams) {
   const std::size_t beams = scan.ranges.size();
-  const auto most = static_cast<std::size_t>(max_beams);
-  const std::size_t stride = std::max<std::size_t>(1, (beams + most - 1) / most);
+  const std::size_t stride = stride_of(scan, max_beams);
   Json ranges = Json::array();
   for (std::size_t beam = 0; beam < beams; beam += stride) {
     ranges.push_back(scan.is_hit(beam) ? std::lround(100.0 * scan.ranges[beam]) : 0L);
@@ -64,6 +70,42 @@ Json scan_json(const LaserScan& scan, double start, int max_beams) {
           {"first", rounded(scan.first_bearing, 0.0001)},
           {"step", rounded(static_cast<double>(stride) * scan.bearing_step, 0.000001)},
           {"cm", ranges}};
+}
+
+using LabelsByScan = std::map<std::pair<double, int>, const ScanLabels*>;
+
+LabelsByScan by_scan(const BeamLabels& labels) {
+  LabelsByScan found;
+  for (const ScanLabels& of_scan : labels) found[{of_scan.time, of_scan.laser}] = &of_scan;
+  return found;
+}
+
+// Which of the beams that are kept are called dynamic.
+Json labels_json(const LaserScan& scan, const LabelsByScan& labels, int max_beams) {
+  Json numbers = Json::array();
+  const auto found = labels.find({scan.time, scan.laser});
+  if (found == labels.end()) return numbers;
+  const std::vector<float>& of_beams = found->second->static_probability;
+  if (of_beams.size() != scan.ranges.size()) return numbers;
+  const std::size_t stride = stride_of(scan, max_beams);
+  for (std::size_t k = 0; k * stride < of_beams.size(); ++k) {
+    if (is_dynamic(of_beams[k * stride])) numbers.push_back(k);
+  }
+  return numbers;
+}
+
+Json followed_json(const ObjectTrack& track, double start, int max_steps) {
+  Json json{{"id", track.id},     {"t", Json::array()}, {"x", Json::array()},
+            {"y", Json::array()}, {"s", Json::array()}, {"hidden", Json::array()}};
+  for (const std::size_t i : thinned(track.states.size(), max_steps)) {
+    const TrackState& state = track.states[i];
+    json["t"].push_back(rounded(state.time - start, 0.001));
+    json["x"].push_back(centimeters(state.position.x()));
+    json["y"].push_back(centimeters(state.position.y()));
+    json["s"].push_back(centimeters(sigma_of(state)));
+    json["hidden"].push_back(state.occluded ? 1 : 0);
+  }
+  return json;
 }
 
 Json outline_json(const std::vector<Eigen::Vector2d>& line) {
@@ -122,8 +164,14 @@ std::string replay_json(const Replay& replay, const ReplayOptions& options) {
     track["radius"] = other.radius;
     json["others"].push_back(std::move(track));
   }
+  const LabelsByScan labels = by_scan(replay.labels);
   for (const std::size_t i : thinned(replay.scans.size(), options.max_scans)) {
-    json["scans"].push_back(scan_json(replay.scans[i], start, options.max_beams));
+    const LaserScan& scan = replay.scans[i];
+    json["scans"].push_back(scan_json(scan, start, options.max_beams));
+    if (!labels.empty()) json["labels"].push_back(labels_json(scan, labels, options.max_beams));
+  }
+  for (const ObjectTrack& track : replay.tracks) {
+    json["tracks"].push_back(followed_json(track, start, options.max_steps));
   }
   // Bytes that are no UTF-8 are replaced rather than refused: a name must not lose a whole replay.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -179,6 +227,26 @@ std::vector<std::vector<Eigen::Vector2d>> outlines_of(const World& world, double
     outlines.push_back(std::move(line));
   }
   return outlines;
+}
+
+double sigma_of(const TrackState& state) {
+  const Eigen::Matrix2d& c = state.covariance;
+  const double middle = 0.5 * (c(0, 0) + c(1, 1));
+  const double longer = middle + std::hypot(0.5 * (c(0, 0) - c(1, 1)), c(0, 1));
+  return std::sqrt(std::max(0.0, longer));
+}
+
+Tracks transformed(Tracks tracks, const Pose2& target_from_source) {
+  const Eigen::Rotation2Dd turn(target_from_source.theta);
+  const Eigen::Matrix2d rotation = turn.toRotationMatrix();
+  for (ObjectTrack& track : tracks) {
+    for (TrackState& state : track.states) {
+      state.position = target_from_source * state.position;
+      state.velocity = rotation * state.velocity;
+      state.covariance = rotation * state.covariance * rotation.transpose();
+    }
+  }
+  return tracks;
 }
 
 Trajectory aligned_at_start(const Trajectory& estimate, const Trajectory& truth) {

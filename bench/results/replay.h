@@ -25,6 +25,8 @@
 
 #include "core/geometry/trajectory.h"
 #include "core/image/image.h"
+#include "core/labels/beam_labels.h"
+#include "core/labels/tracks.h"
 #include "core/log/sensor_log.h"
 #include "sim/truth/truth.h"
 #include "worlds/world.h"
@@ -53,6 +55,8 @@ struct Replay {
   Trajectory odometry;
   std::vector<ReplayTrack> others;
   std::vector<LaserScan> scans;  // drawn at the robot's estimated, else its true pose
+  BeamLabels labels = {};        // of them, by stamp and laser; without some, these tell nothing
+  Tracks tracks = {};            // who is followed, in the world's frame as the estimate is
 };
 
 struct ReplayOptions {
@@ -70,6 +74,12 @@ std::vector<LaserScan> front_scans_of(const SensorLog& log);
 
 // Of what stands still in a world and reaches to this height [m]: closed lines.
 std::vector<std::vector<Eigen::Vector2d>> outlines_of(const World& world, double height = 0.3);
+
+// [m] of where it is held to be, along the longer axis.
+double sigma_of(const TrackState& state);
+
+// In another frame.
+Tracks transformed(Tracks tracks, const Pose2& target_from_source);
 
 // The estimate moved so that its first pose that the truth knows lies on the true one.
 Trajectory aligned_at_start(const Trajectory& estimate, const Trajectory& truth);

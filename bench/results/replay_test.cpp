@@ -51,6 +51,47 @@ TEST(Replay, BeamsThatAreLeftOutWidenTheStep) {
   EXPECT_NEAR(scan["step"].get<double>(), 3 * std::numbers::pi / 2, 1e-6);
 }
 
+TEST(Replay, TellsOfTheBeamsThatAreKeptWhichAreCalledDynamic) {
+  Replay replay{.scans = {scan_at(kStamp, {1.0, 1.5, 2.0, 2.5, 3.0}), scan_at(kStamp + 1, {1.0})}};
+  replay.labels = {{kStamp, 0, {0.9F, 0.2F, 0.3F, kNoLabel, 0.1F}},
+                   {kStamp + 1, 1, {0.1F}}};  // of another laser
+  const json read = json::parse(replay_json(replay, {.max_beams = 3}));
+  ASSERT_EQ(read["labels"].size(), 2u) << "one for each scan";
+  EXPECT_THAT(read["labels"][0].get<std::vector<int>>(), ElementsAre(1, 2)) << "beams 2 and 4";
+  EXPECT_EQ(read["labels"][1].size(), 0u);
+}
+
+TEST(Replay, LabelsOfAnotherNumberOfBeamsTellNothing) {
+  const Replay replay{.scans = {scan_at(kStamp, {1.0, 1.5})}, .labels = {{kStamp, 0, {0.1F}}}};
+  EXPECT_EQ(json::parse(replay_json(replay))["labels"][0].size(), 0u);
+  EXPECT_FALSE(json::parse(replay_json(Replay{.scans = replay.scans})).contains("labels"));
+}
+
+TEST(Replay, FollowsPeopleWithHowSurelyAndWhetherTheyAreSeen) {
+  Replay replay{.truth = {{kStamp, {}}}};
+  Eigen::Matrix2d along_y;
+  along_y << 0.01, 0.0, 0.0, 0.25;
+  replay.tracks = {
+      {7, {{kStamp, {1.0, 2.0}, {}, along_y, false}, {kStamp + 0.5, {3, 4}, {}, along_y, true}}}};
+  replay.tracks[0].states[1].covariance.setZero();
+  const json track = json::parse(replay_json(replay))["tracks"][0];
+  EXPECT_EQ(track["id"], 7);
+  EXPECT_THAT(track["t"].get<std::vector<double>>(), ElementsAre(0.0, 0.5));
+  EXPECT_THAT(track["y"].get<std::vector<double>>(), ElementsAre(2.0, 4.0));
+  EXPECT_THAT(track["s"].get<std::vector<double>>(), ElementsAre(0.5, 0.0)) << "the longer axis";
+  EXPECT_THAT(track["hidden"].get<std::vector<int>>(), ElementsAre(0, 1));
+}
+
+TEST(Replay, TracksGoToAnotherFrameWithTheirVelocitiesAndCovariances) {
+  Eigen::Matrix2d along_x = Eigen::Vector2d(4.0, 1.0).asDiagonal();
+  const Tracks tracks{{1, {{0.0, {1.0, 0.0}, {1.0, 0.0}, along_x, false}}}};
+  const TrackState state = transformed(tracks, {10.0, 0.0, std::numbers::pi / 2})[0].states[0];
+  EXPECT_NEAR((state.position - Eigen::Vector2d(10.0, 1.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((state.velocity - Eigen::Vector2d(0.0, 1.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(state.covariance(1, 1), 4.0, 1e-12);
+  EXPECT_NEAR(state.covariance(0, 0), 1.0, 1e-12);
+}
+
 TEST(Replay, LongRunsAreThinnedButKeepTheirEnds) {
   Replay replay;
   for (int i = 0; i < 1000; ++i) {

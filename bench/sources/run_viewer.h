@@ -20,6 +20,8 @@ class RunViewer {
   // A program of somebody else's shows nothing between beginning and end.
   virtual void after(const Measurement& measurement, const Estimator& estimator) = 0;
   virtual void ends(const Estimate& estimate) = 0;
+  // It has seen all that it wants.
+  virtual bool is_complete() const = 0;
 };
 
 }  // namespace mapbed

@@ -57,7 +57,7 @@ const std::map<std::string, std::vector<Levels>> kInnerOrder = {
        {"experiments"},
        {"scenario"},
        {"shards"},
-       {"film", "pages"},
+       {"figures", "film", "pages"},
        {"cli", "micro"}}}},
 };
 

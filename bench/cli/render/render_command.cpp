@@ -15,6 +15,8 @@
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/progress.h"
+#include "bench/cli/render/map_folder.h"
+#include "bench/cli/render/render_figure.h"
 #include "bench/cli/render/render_film.h"
 #include "bench/film/film.h"
 #include "bench/plot/map_figure.h"
@@ -45,6 +47,7 @@ struct RenderArguments {
   std::vector<std::string> camera_options;
   std::optional<int> longest_side;  // [pixels]
   FilmArguments film;
+  FigureArguments figure;
 };
 
 RgbImage picture_of_world(const RenderArguments& arguments) {
@@ -95,7 +98,8 @@ RgbImage picture_of_map(const RenderArguments& arguments) {
     paths.push_back({name, load_trajectory(path)});
     remark_on_other_frame(path, paths.back().map_from_robot, map);
   }
-  return picture_of(map, paths, arguments.picture);
+  const WhatMoved moved = what_moved(arguments.maps.front());
+  return picture_of(map, paths, arguments.picture, moved.dynamic, moved.tracks);
 }
 
 bool is_name_of_world(const std::string& name) {
@@ -134,6 +138,35 @@ RgbImage picture_of_maps(const RenderArguments& arguments) {
     maps.push_back({name, read_map(path, resolution_of(arguments))});
   }
   return figure_of(maps, arguments.picture.longest_side);
+}
+
+// Options of pictures and of films are not mixed: one that says nothing would be a slip.
+void refuse_where_named(const std::vector<std::pair<const char*, bool>>& options,
+                        const std::string& why) {
+  for (const auto& [option, is_named] : options) {
+    if (is_named) throw InputError(std::string(option) + " " + why);
+  }
+}
+
+// Of a run: what a picture of a map or a world is made of would say nothing.
+RgbImage picture_of_run(const RenderArguments& a) {
+  refuse_where_named({{"--trajectory", !a.trajectories.empty()},
+                      {"--name", !a.names.empty()},
+                      {"--robot", !a.world.robot.empty()},
+                      {"--path", !a.world.path.empty()},
+                      {"--after", !a.after.empty()},
+                      {"--camera", !a.camera_options.empty()}},
+                     "says nothing of a figure");
+  if (a.maps.size() != 1) throw InputError("a figure is of one run, and several are named");
+  FigureArguments figure = a.figure;
+  figure.run = a.maps.front();
+  figure.number = a.film.number;
+  figure.longest_side = a.longest_side;
+  figure.resolution = resolution_of(a);
+  for (const std::string& option : a.world_options) {
+    figure.settings.push_back(parse_setting(option));
+  }
+  return figure_of_run(figure);
 }
 
 RgbImage picture_of(const RenderArguments& arguments) {
@@ -175,14 +208,6 @@ void write_marked(const std::string& path, const RgbImage& image) {
   }
 }
 
-// Options of pictures and of films are not mixed: one that says nothing would be a slip.
-void refuse_where_named(const std::vector<std::pair<const char*, bool>>& options,
-                        const std::string& why) {
-  for (const auto& [option, is_named] : options) {
-    if (is_named) throw InputError(std::string(option) + " " + why);
-  }
-}
-
 int render_run(const RenderArguments& a) {
   refuse_where_named({{"--trajectory", !a.trajectories.empty()},
                       {"--name", !a.names.empty()},
@@ -191,7 +216,8 @@ int render_run(const RenderArguments& a) {
                       {"--path", !a.world.path.empty()},
                       {"--after", !a.after.empty()},
                       {"--set", !a.world_options.empty()},
-                      {"--camera", !a.camera_options.empty()}},
+                      {"--camera", !a.camera_options.empty()},
+                      {"--figure", !a.figure.figure.empty()}},
                      "says nothing of a film");
   if (a.maps.size() != 1) throw InputError("a film is of one run, and several are named");
   FilmArguments film = a.film;
@@ -213,17 +239,24 @@ int render(RenderArguments arguments) {
   if (is_film(arguments.output)) return render_run(arguments);
   check_ending(arguments.output);
   const FilmArguments& film = arguments.film;
-  refuse_where_named({{"--run", film.number.has_value()},
+  const bool of_run = !arguments.figure.figure.empty();
+  refuse_where_named({{"--run", film.number.has_value() && !of_run},
                       {"--fps", film.rate != FilmArguments().rate},
                       {"--speed", film.speed != 0.0},
                       {"--from", !film.from.empty()},
                       {"--to", !film.to.empty()}},
                      "is of a film: name a file ending in .gif, .webp or .mp4");
+  refuse_where_named({{"--at", !arguments.figure.at.empty() && !of_run},
+                      {"--variant", !arguments.figure.variants.empty() && !of_run}},
+                     "is of a figure: name it with --figure");
   arguments.picture.longest_side = arguments.longest_side.value_or(arguments.picture.longest_side);
-  for (std::string& map : arguments.maps) map = map_in_folder(map);
+  if (!of_run) {
+    for (std::string& map : arguments.maps) map = map_in_folder(map);
+  }
   check_writable(arguments.output);
   refuse_foreign_picture(arguments.output);
-  const RgbImage image = while_told("drawing", [&] { return picture_of(arguments); });
+  const RgbImage image = of_run ? picture_of_run(arguments)
+                                : while_told("drawing", [&] { return picture_of(arguments); });
   write_marked(arguments.output, image);
   fmt::print("{}: {} x {} pixels\n", arguments.output, image.width(), image.height());
   return kDone;
@@ -235,23 +268,25 @@ Command render_command() {
   const auto arguments = std::make_shared<RenderArguments>();
   RenderArguments& a = *arguments;
   const std::string of_world = "Of a world";
-  const std::string of_film = "Of a film";
   const auto world_option = [&](const char* name, OptionTarget target, const char* help) {
     return CommandOption{.name = name, .target = target, .help = help, .group = of_world};
   };
   CommandOption seed = world_option("--seed", &a.world.seed, "of people and doors");
   seed.shows_default = true;
-  return {
+  Command command{
       .name = "render",
-      .help = "Draw a map with its trajectories, or a world; or make a film of a run",
+      .help =
+          "Draw a map with its trajectories, a world, or a figure of a run; or make a film of one",
       .options =
           {{.name = "MAP|WORLD|RUN",
             .target = &a.maps,
             .help =
-                "map.yaml as map servers read it, its folder, or a .png or .pgm with such a file "
-                "beside it; several are drawn at one scale; or a world's name or file; for a film, "
-                "the folder "
-                "that 'mapbed map' or 'mapbed run' has written, or a scenario's name or file",
+                "map.yaml as map servers read it, its folder (with labels and tracks "
+                "where it has them), or a .png or .pgm with such a file "
+                "beside it; several are drawn at one scale; or a world's name or file; for a film "
+                "or "
+                "a figure, the folder that 'mapbed map' or 'mapbed run' has written, or a "
+                "scenario's name or file",
             .is_required = true},
            {.name = "-o,--out,--output",
             .target = &a.output,
@@ -280,32 +315,16 @@ Command render_command() {
            world_option("--after", &a.after, "how long it has driven; 20 s where left out"),
            seed,
            world_option("--set", &a.world_options,
-                        "an option of the world, as in size=30m; may come again"),
+                        "an option of the world, as in size=30m, or of the people filter in a "
+                        "figure; may come again"),
            world_option("--camera", &a.camera_options,
                         "an option of the picture, as in view=plan or reach=8m, see 'describe "
-                        "camera'; may come again"),
-           {.name = "--run",
-            .target = &a.film.number,
-            .help = "the number of a scenario's run; its first one where left out",
-            .group = of_film},
-           {.name = "--speed",
-            .target = &a.film.speed,
-            .help = "times real time; where left out, so that it takes half a minute at most",
-            .group = of_film},
-           {.name = "--fps",
-            .target = &a.film.rate,
-            .help = "frames a second",
-            .shows_default = true,
-            .group = of_film},
-           {.name = "--from",
-            .target = &a.film.from,
-            .help = "since the log's start, as in '10 s'",
-            .group = of_film},
-           {.name = "--to",
-            .target = &a.film.to,
-            .help = "the same, where the film ends",
-            .group = of_film}},
+                        "camera'; may come again")},
       .run = [arguments] { return render(*arguments); }};
+  for (const auto& more : {film_options(a.film), figure_options(a.figure)}) {
+    command.options.insert(command.options.end(), more.begin(), more.end());
+  }
+  return command;
 }
 
 }  // namespace mapbed

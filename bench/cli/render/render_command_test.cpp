@@ -7,8 +7,10 @@
 
 #include "algorithms/grid/map_file.h"
 #include "algorithms/grid/map_image.h"
+#include "algorithms/people/testing/people_in_a_room.h"
 #include "bench/cli/testing/command_test.h"
 #include "core/image/png.h"
+#include "core/log/dialects/carmen_log.h"
 
 namespace mapbed {
 namespace {
@@ -85,6 +87,35 @@ TEST_F(RenderCommand, AFolderStandsForTheMapInItButForThoseCalledAsAWorld) {
   expect_refusal({"render", "third", "-o", "x.png"},
                  "third: is a folder without a map.yaml, of which no picture is made; name a map "
                  "in it; a film of a run ends in .gif, .webp or .mp4");
+}
+
+TEST_F(RenderCommand, AFolderOfAMapShowsWhatMovedAndWhoWasFollowed) {
+  RecordedLog log;
+  std::vector<Eigen::Vector2d> positions(20, nowhere());
+  walk(positions, {3.0, -2.5}, {3.0, 3.5});
+  for (const LaserScan& scan : scans_of_somebody(positions)) {
+    log.measurements.push_back(Odometry{.time = scan.time});
+    log.measurements.push_back(scan);
+  }
+  write_carmen_log(path("walk.log"), log);
+  ASSERT_EQ(call({"map", "walk.log", "--people-filter", "people", "-o", "walk"}).status, 0);
+  const auto picture = [&](const std::string& name) {
+    const Outcome outcome = call({"render", "walk", "-o", name});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read_samples(path(name));
+  };
+  const Samples all = picture("all.png");
+  fs::rename(path("walk/tracks.csv"), path("tracks.csv"));
+  const Samples without_tracks = picture("without_tracks.png");
+  EXPECT_NE(without_tracks, all);
+  fs::rename(path("walk.log"), path("elsewhere.log"));
+  const Samples without_log = picture("without_log.png");
+  EXPECT_NE(without_log, without_tracks) << "where beams ended stands in the log";
+  fs::remove(path("walk/labels.txt.gz"));
+  EXPECT_EQ(picture("map_alone.png"), without_log);
+  fs::rename(path("tracks.csv"), path("walk/tracks.csv"));
+  write("walk/tracks.csv", "track,time\n");
+  expect_refusal({"render", "walk", "-o", "x.png"}, "tracks.csv");
 }
 
 TEST_F(RenderCommand, SaysWhatIsWrongWithAWorld) {

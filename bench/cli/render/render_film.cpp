@@ -11,6 +11,7 @@
 #include "bench/cli/interrupt.h"
 #include "bench/cli/progress.h"
 #include "bench/cli/render/run_to_film.h"
+#include "bench/film/course.h"
 #include "bench/film/film.h"
 #include "bench/process/foreign_files.h"
 #include "core/config/quantity.h"
@@ -82,7 +83,7 @@ Course recorded(const RunToFilm& run, const Window& window, FilmOptions& options
     if (options.speed == 0.0) options.speed = speed_for(options.to - options.from);
     progress.emplace("repeating " + run.words() + ", s of its log",
                      static_cast<std::size_t>(options.to) + 1);
-    return CourseMoments{options.from, options.to, options.speed / options.rate};
+    return CourseMoments{options.from, window.to, options.speed / options.rate};
   };
   const auto goes_on = [&] { return !interrupt.was_interrupted(); };
   CourseRecorder recorder(
@@ -110,6 +111,31 @@ void check_output(const std::string& output) {
 }
 
 }  // namespace
+
+std::vector<CommandOption> film_options(FilmArguments& arguments) {
+  const std::string of_film = "Of a film";
+  return {{.name = "--run",
+           .target = &arguments.number,
+           .help = "the number of a scenario's run; its first one where left out",
+           .group = of_film},
+          {.name = "--speed",
+           .target = &arguments.speed,
+           .help = "times real time; where left out, so that it takes half a minute at most",
+           .group = of_film},
+          {.name = "--fps",
+           .target = &arguments.rate,
+           .help = "frames a second",
+           .shows_default = true,
+           .group = of_film},
+          {.name = "--from",
+           .target = &arguments.from,
+           .help = "since the log's start, as in '10 s'",
+           .group = of_film},
+          {.name = "--to",
+           .target = &arguments.to,
+           .help = "the same, where the film ends",
+           .group = of_film}};
+}
 
 int render_film(const FilmArguments& arguments) {
   const Window window = window_of(arguments);

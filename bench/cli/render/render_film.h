@@ -2,6 +2,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "bench/cli/command_line.h"
 
 namespace mapbed {
 
@@ -14,6 +17,8 @@ struct FilmArguments {
   double speed = 0.0;               // times real time; 0: so that the film is half a minute long
   std::string from, to;             // with units; empty: of the whole run
 };
+
+std::vector<CommandOption> film_options(FilmArguments& arguments);  // all but run and output
 
 // Does the run again and makes a film of it. Gives the exit status; throws InputError.
 int render_film(const FilmArguments& arguments);

@@ -9,7 +9,11 @@ for (const box of document.querySelectorAll(".replay")) {
   const choice = box.querySelector("select[name=run]");  // null where there is one run
   const layers = [...box.querySelectorAll("input[type=checkbox]")];
   const shown = (name) => layers.some((input) => input.name === name && input.checked);
-  const kColors = { truth: "#009e73", estimate: "#0072b2", odometry: "#e69f00", scan: "#d55e00" };
+  // Beside what is called dynamic, which has the colour that maps have for it, scans are grey.
+  const labelled = runs.some((one) => "labels" in one);
+  const kColors = { truth: "#009e73", estimate: "#0072b2", odometry: "#e69f00", scan: labelled ? "#555555" : "#d55e00", dynamic: "#e67800" };
+  const kOfTracks = ["#882255", "#332288", "#117733", "#aa4499", "#44aa99", "#999933"];
+  const kTrail = 5;  // [s]
 
   // The last index whose stamp is not after t; -1 before the first.
   const index = (stamps, t) => {
@@ -101,14 +105,38 @@ for (const box of document.querySelectorAll(".replay")) {
       c.lineWidth = 1; c.strokeStyle = "#444"; c.stroke();
     }
   };
+  // Who is followed: where he went, a disc where he is seen, a dashed ring where he is but held to be.
+  const drawTracks = (t) => {
+    c.font = "12px sans-serif";
+    for (const track of run.tracks || []) {
+      const now = index(track.t, t);
+      if (now < 0 || t > track.t[now] + 0.5) continue;
+      const color = kOfTracks[track.id % kOfTracks.length];
+      const x = px(track.x[now]), y = py(track.y[now]);
+      c.strokeStyle = c.fillStyle = color; c.lineWidth = 2;
+      c.beginPath();
+      for (let i = index(track.t, t - kTrail) + 1; i <= now; ++i) c.lineTo(px(track.x[i]), py(track.y[i]));
+      c.stroke();
+      c.beginPath();
+      if (track.hidden[now]) {
+        c.arc(x, y, Math.max(track.s[now] * scale, 5), 0, 2 * Math.PI);
+        c.setLineDash([3, 3]); c.stroke(); c.setLineDash([]);
+      } else {
+        c.arc(x, y, 4, 0, 2 * Math.PI); c.fill();
+      }
+      c.lineWidth = 3; c.strokeStyle = "#fff";
+      c.strokeText(track.id, x + 6, y - 6); c.fillText(track.id, x + 6, y - 6);
+    }
+  };
   const drawScan = (t, at) => {
     const i = index(run.scanTimes, t);
     if (i < 0 || !at) return;
     const scan = run.scans[i], [lx, ly, la] = scan.laser;
     const cos = Math.cos(at.a), sin = Math.sin(at.a);
-    c.fillStyle = kColors.scan;
+    const dynamic = new Set(run.labels && shown("labels") ? run.labels[i] : []);
     scan.cm.forEach((cm, k) => {
       if (cm === 0) return;
+      c.fillStyle = dynamic.has(k) ? kColors.dynamic : kColors.scan;
       const bearing = la + scan.first + k * scan.step;
       const hx = lx + cm / 100 * Math.cos(bearing), hy = ly + cm / 100 * Math.sin(bearing);
       c.fillRect(px(at.x + cos * hx - sin * hy) - 1.5, py(at.y + sin * hx + cos * hy) - 1.5, 3, 3);
@@ -141,6 +169,7 @@ for (const box of document.querySelectorAll(".replay")) {
     if (shown("truth")) path(run.truth, t, kColors.truth, [7, 4]);
     if (shown("estimate")) path(run.estimate, t, kColors.estimate, []);
     if (shown("scans")) drawScan(t, estimate || truth);
+    if (shown("tracks")) drawTracks(t);
     if (shown("truth")) robot(truth, kColors.truth, false);
     if (shown("estimate")) robot(estimate, kColors.estimate, true);
     const off = truth && estimate ? `, estimate off by ${Math.hypot(truth.x - estimate.x, truth.y - estimate.y).toFixed(2)} m` : "";

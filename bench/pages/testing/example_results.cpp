@@ -72,13 +72,15 @@ Results example_results() {
   return r;
 }
 
-// Its estimate is that many metres further off after each second.
+// Its estimate is that many metres further off after each second. One person is followed, hidden
+// from 4 s to 6 s; the beams ahead are called dynamic.
 Replay example_replay(double drift) {
   Replay replay{.title = "seed 7 </script>",
                 .outlines = {{{0, 0}, {20, 0}, {20, 12}, {0, 12}, {0, 0}}}};
   replay.map.image = RgbImage(40, 24, kWhite);
   replay.map.resolution = 0.5;
   ReplayTrack person{"anna", "person", 0.25, {}};
+  ObjectTrack followed{.id = 3};
   for (int i = 0; i < 50; ++i) {
     const double t = 0.2 * i;
     const Pose2 pose{4.0 + t, 6.0 + std::sin(t), std::atan(std::cos(t))};
@@ -90,8 +92,16 @@ Replay example_replay(double drift) {
                             .bearing_step = 0.1,
                             .max_range = 8.0,
                             .ranges = std::vector<double>(31, 2.0)});
+    ScanLabels labels{.time = t, .static_probability = std::vector<float>(31, 1.0F)};
+    labels.static_probability[15] = 0.1F;
+    replay.labels.push_back(std::move(labels));
+    followed.states.push_back({.time = t,
+                               .position = {12.0 - t, 3.0},
+                               .covariance = 0.04 * Eigen::Matrix2d::Identity(),
+                               .occluded = t > 4.0 && t < 6.0});
   }
   replay.others.push_back(person);
+  replay.tracks.push_back(followed);
   return replay;
 }
 
