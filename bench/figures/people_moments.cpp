@@ -14,7 +14,7 @@ namespace {
 constexpr double kNear = 6.0;       // [m] of the robot: what a figure shows
 constexpr double kTrail = 4.0;      // [s]
 constexpr double kBody = 0.15;      // [m] radius of a person
-constexpr double kCompared = 0.8;   // [s] between the two scans of Figure 3.2
+constexpr double kCompared = 1.6;   // [s] between the two scans of Figure 3.2
 constexpr std::uint64_t kSeed = 1;  // of the samples
 
 // The log through the filter, which is looked at after each scan.

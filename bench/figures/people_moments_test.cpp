@@ -84,7 +84,7 @@ TEST_F(APeopleDrive, ShowsSamplesWayAndTruthAtAMoment) {
     ASSERT_THAT(moments[i].truth, SizeIs(1));
     EXPECT_LT((moments[i].truth[0] - truth).norm(), 0.05);
     ASSERT_TRUE(moments[i].before.has_value());
-    EXPECT_NEAR(moments[i].found.time() - moments[i].before->time(), 0.8, 1e-6);
+    EXPECT_NEAR(moments[i].found.time() - moments[i].before->time(), 1.6, 1e-6);
   }
 }
 

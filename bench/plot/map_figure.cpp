@@ -32,11 +32,6 @@ struct Panel {
   }
 };
 
-std::size_t panels_in_row(std::size_t maps) {
-  return maps < 4 ? maps
-                  : static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(maps))));
-}
-
 // [m] that the longest row is wide or all rows are high.
 double longest(const std::vector<Panel>& panels, std::size_t in_row) {
   double widest = 0.0, height = 0.0;
@@ -50,6 +45,15 @@ double longest(const std::vector<Panel>& panels, std::size_t in_row) {
     height += highest;
   }
   return std::max(widest, height);
+}
+
+// As many as let the maps be largest; of several such numbers the most.
+std::size_t panels_in_row(const std::vector<Panel>& panels) {
+  std::size_t best = panels.size();
+  for (std::size_t in_row = panels.size(); in_row >= 1; --in_row) {
+    if (longest(panels, in_row) < longest(panels, best) - 1e-9) best = in_row;
+  }
+  return best;
 }
 
 // Chooses what each map draws as one block: a cell, or as many as there are in a pixel, so that no
@@ -136,7 +140,7 @@ RgbImage figure_of(const std::vector<NamedMap>& maps, int longest_side) {
     if (box.empty()) box = {{0, 0}, {0, 0}};
     panels.push_back({.of = &map, .box = box});
   }
-  const std::size_t in_row = panels_in_row(panels.size());
+  const std::size_t in_row = panels_in_row(panels);
   const double of_pixel = choose_scale(panels, longest(panels, in_row) / longest_side);
   const Size size = place(panels, in_row, of_pixel);
   std::vector<LegendItem> legend = legend_of_cells();

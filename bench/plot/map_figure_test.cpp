@@ -41,7 +41,7 @@ std::vector<int> walls(const RgbImage& image, int rows) {
 constexpr int kBelow = 70;  // [pixels] at the bottom: scale bar and legend
 
 TEST(MapFigure, ShowsAllMapsAtOneScaleWhateverTheirResolutions) {
-  const std::vector<NamedMap> maps = {{"", room(0.1, 12.0, 4.0)}, {"", room(0.25, 6.0, 4.0)}};
+  const std::vector<NamedMap> maps = {{"", room(0.1, 12.0, 10.0)}, {"", room(0.25, 6.0, 10.0)}};
   const RgbImage figure = figure_of(maps, 540);
   const std::vector<int> lengths = walls(figure, figure.height() - kBelow);
   // 18 m in 540 pixels are 30 pixels for a metre: 3 for a cell of 10 cm.
@@ -50,8 +50,20 @@ TEST(MapFigure, ShowsAllMapsAtOneScaleWhateverTheirResolutions) {
   EXPECT_NE(std::find(lengths.begin(), lengths.end(), 180), lengths.end());
 }
 
+TEST(MapFigure, StandsWideMapsOnTopOfEachOtherAndTallOnesBesideEachOther) {
+  const auto longest_wall = [](double width, double height) {
+    const RgbImage figure =
+        figure_of(std::vector<NamedMap>(3, {"", room(0.1, width, height)}), 540);
+    return walls(figure, figure.height() - kBelow).front();
+  };
+  // In a row 36 m would be 540 pixels; below each other 12 m are, of 4 whole pixels for a cell.
+  EXPECT_EQ(longest_wall(12.0, 2.0), 480);
+  // 6 m in a row, not 24 m: the height of 8 m, of 6 whole pixels for a cell.
+  EXPECT_EQ(longest_wall(2.0, 8.0), 120);
+}
+
 TEST(MapFigure, KeepsThinWallsWhereAPixelHoldsManyCells) {
-  const std::vector<NamedMap> maps = {{"", room(0.05, 40.0, 5.0)}, {"", room(0.03, 30.0, 3.0)}};
+  const std::vector<NamedMap> maps = {{"", room(0.05, 40.0, 40.0)}, {"", room(0.03, 30.0, 40.0)}};
   const RgbImage figure = figure_of(maps, 140);
   const std::vector<int> lengths = walls(figure, figure.height() - kBelow);
   // 70 m in 140 pixels, of 10 and of 17 cells.
@@ -68,7 +80,7 @@ TEST(MapFigure, HasRoomForNamesThatAreLongerThanTheirMaps) {
 }
 
 TEST(MapFigure, ShowsWhatMetWhatMovesWithItsLegend) {
-  NamedMap map{"", room(0.1, 12.0, 4.0)};
+  NamedMap map{"", room(0.1, 12.0, 14.0)};
   const auto orange = [&] {
     const RgbImage figure = figure_of({map, map}, 960);  // 4 pixels for a cell
     const std::vector<Rgb>& pixels = figure.pixels();
