@@ -143,7 +143,7 @@ TEST_P(EveryMethod, LeavesATiltedLaserOutAndSaysSo) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
                          ::testing::Values("odometry", "scan_matching", "correlative", "icp",
-                                           "rbpf", "maximum_likelihood"),
+                                           "rbpf", "maximum_likelihood", "em"),
                          [](const auto& method) { return method.param; });
 
 class MethodWithErrorModels : public ::testing::TestWithParam<std::string> {};
@@ -190,6 +190,40 @@ TEST_P(MethodWithErrorModels, TheStandardFilterCannotLeaveOdometryOut) {
 INSTANTIATE_TEST_SUITE_P(Methods, MethodWithErrorModels,
                          ::testing::Values("rbpf", "maximum_likelihood"),
                          [](const auto& method) { return method.param; });
+
+TEST(Em, TakesAnyMethodForItsPathWithThatOnesOptions) {
+  const Settings settings{parse_setting("path=rbpf"), parse_setting("rbpf.particles=7"),
+                          parse_setting("iterations=1")};
+  const ConfiguredMethod em = method_by_name("em").configure(settings);
+  EXPECT_THAT(em.complete_yaml, HasSubstr("path: rbpf"));
+  EXPECT_THAT(em.complete_yaml, HasSubstr("particles: 7"));
+  EXPECT_INPUT_ERROR(method_by_name("em").configure({parse_setting("path=em")}),
+                     "em cannot find its own path");
+  EXPECT_INPUT_ERROR(method_by_name("em").configure({parse_setting("rbpf.particles=7")}),
+                     "unknown key 'rbpf");
+}
+
+// One iteration registers the scans once.
+TEST(Em, OfOneIterationHasThePathOfTheParticleFilter) {
+  const auto alone =
+      method_by_name("rbpf").configure({parse_setting("particles=7")}).make({}, Rng(3));
+  const auto em = method_by_name("em")
+                      .configure({parse_setting("path=rbpf"), parse_setting("rbpf.particles=7"),
+                                  parse_setting("iterations=1")})
+                      .make({}, Rng(3));
+  const RecordedLog log =
+      drive_through(rectangular_room(6.0, 4.0), {{-1.0, 0.0}, {1.5, 0.5}}, {}, Rng(1));
+  for (const Measurement& measurement : log.measurements) {
+    alone->add(measurement);
+    em->add(measurement);
+  }
+  alone->finish();
+  em->finish();
+  const Trajectory expected = alone->estimate().trajectory, found = em->estimate().trajectory;
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].pose, expected[i].pose);
+  EXPECT_TRUE(em->estimate().labels.has_value());
+}
 
 }  // namespace
 }  // namespace mapbed

@@ -1,7 +1,6 @@
 #include "algorithms/visibility/ever_free.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "algorithms/grid/tiled_grid.h"
@@ -10,98 +9,103 @@
 namespace mapbed {
 namespace {
 
-// A beam in the robot's frame, as far as it was followed.
-struct Followed {
-  std::size_t number = 0;
-  Eigen::Vector2d start;
-  Eigen::Vector2d direction;
-  double length = 0.0;  // [m]
-  bool hit = false;
+// What was seen of a cell.
+struct Look {
+  std::uint32_t met_in = 0;   // number of the newest such scan, from 1
+  std::uint32_t free_in = 0;  // the same
+  int free_for = 0;           // scans that looked there, up to the newest, as many as are enough
+  bool was_surely_free = false;
 };
 
-std::vector<Followed> followed(const LaserScan& scan, const BeamLimits& limits) {
-  std::vector<Followed> beams;
-  for_each_beam(scan, Pose2{}, limits, [&](std::size_t n, const Beam& beam) {
-    const Eigen::Vector2d along = beam.end - beam.start;
-    const double length = along.norm();
-    if (length > 0.0) beams.push_back({n, beam.start, along / length, length, beam.hit});
-  });
-  return beams;
-}
+// Scans one after the other.
+class FreeSpace {
+ public:
+  explicit FreeSpace(const EverFreeOptions& options)
+      : options_(options), looks_(options.resolution) {}
 
-// Where along `beam` a hit beside it ends what it clears [m]; no nearer than it lies beside.
-double cleared_before(const Followed& beam, const Eigen::Vector2d& hit, double sensor_margin,
-                      double pose_margin) {
-  const Eigen::Vector2d to_hit = hit - beam.start;
-  const double along = beam.direction.dot(to_hit);
-  const double beside = std::abs(beam.direction.x() * to_hit.y() - beam.direction.y() * to_hit.x());
-  if (along <= 0.0 || beside > pose_margin) return INFINITY;
-  return along - sensor_margin - std::sqrt(pose_margin * pose_margin - beside * beside);
-}
+  void add(const LaserScan& scan, const Pose2& map_from_robot) {
+    ++scan_;
+    free_.clear();
+    for_each_beam(scan, map_from_robot, options_.beams, [&](std::size_t, const Beam& beam) {
+      if (beam.hit) mark_met(beam);
+    });
+    for_each_beam(scan, map_from_robot, options_.beams,
+                  [&](std::size_t, const Beam& beam) { mark_free(beam); });
+    for (const CellIndex cell : free_) {
+      Look& look = looks_.at(cell);
+      if (!look.was_surely_free) look.was_surely_free = is_free_about(cell);
+    }
+  }
+
+  bool was_surely_free(const Eigen::Vector2d& point) const {
+    return looks_[looks_.cell_of(point)].was_surely_free;
+  }
+
+ private:
+  // The last stretch of a beam that hit something, and the cell that it did so in.
+  void mark_met(const Beam& beam) {
+    TiledGrid<Look>::Writer writer(looks_);
+    const Eigen::Vector2d along = beam.end - beam.start;
+    const double stretch = std::min(1.0, options_.sensor_margin / std::max(along.norm(), 1e-9));
+    const auto mark = [&](CellIndex cell, double) {
+      writer.at(cell).met_in = scan_;
+      writer.at(cell).free_for = 0;
+    };
+    mark(traverse(beam.end - stretch * along, beam.end, looks_.frame(), mark).cell, 0.0);
+  }
+
+  // A beam's way, up to the first cell that any beam of the scan met something in. The cell that a
+  // beam without hit ends in is passed in part alone, and left out.
+  void mark_free(const Beam& beam) {
+    TiledGrid<Look>::Writer writer(looks_);
+    bool is_open = true;
+    const auto mark = [&](CellIndex cell, double) {
+      if (!is_open) return;
+      Look& look = writer.at(cell);
+      is_open = look.met_in != scan_;
+      if (!is_open || look.free_in == scan_) return;
+      look.free_in = scan_;
+      look.free_for = std::min(look.free_for + 1, options_.scans);
+      free_.push_back(cell);
+    };
+    traverse(beam.start, beam.end, looks_.frame(), mark);
+  }
+
+  bool is_free_about(CellIndex cell) const {
+    const int margin = options_.pose_margin;
+    for (int y = cell.y - margin; y <= cell.y + margin; ++y) {
+      for (int x = cell.x - margin; x <= cell.x + margin; ++x) {
+        const Look& look = looks_[CellIndex{x, y}];
+        if (options_.same_scan ? look.free_in != scan_ : look.free_for < options_.scans)
+          return false;
+      }
+    }
+    return true;
+  }
+
+  const EverFreeOptions& options_;
+  TiledGrid<Look> looks_;
+  std::uint32_t scan_ = 0;
+  std::vector<CellIndex> free_;  // in this scan
+};
 
 }  // namespace
 
-// Hits beside a beam are those of its neighbours, up to where the beams are farther apart than the
-// margin at the nearer end of both.
-std::vector<double> cleared_lengths(const LaserScan& scan, const BeamLimits& limits,
-                                    double sensor_margin, double pose_margin) {
-  std::vector<double> lengths(scan.ranges.size(), 0.0);
-  const std::vector<Followed> beams = followed(scan, limits);
-  for (std::size_t i = 0; i < beams.size(); ++i) {
-    const Followed& beam = beams[i];
-    double cleared = beam.hit ? beam.length - sensor_margin - pose_margin : beam.length;
-    const auto look_beside = [&](std::size_t other) {  // whether farther neighbours may matter
-      const Followed& beside = beams[other];
-      if (beside.hit) {
-        const Eigen::Vector2d hit = beside.start + beside.length * beside.direction;
-        cleared = std::min(cleared, cleared_before(beam, hit, sensor_margin, pose_margin));
-      }
-      const double cosine = std::clamp(beam.direction.dot(beside.direction), -1.0, 1.0);
-      const double nearest = 0.3;  // [m] of anything that a laser meets
-      return cosine > 0.0 && nearest * std::sqrt(1.0 - cosine * cosine) <= pose_margin;
-    };
-    for (std::size_t other = i; other-- > 0;) {
-      if (!look_beside(other)) break;
-    }
-    for (std::size_t other = i + 1; other < beams.size(); ++other) {
-      if (!look_beside(other)) break;
-    }
-    lengths[beam.number] = std::max(0.0, cleared);
-  }
-  return lengths;
-}
-
 BeamLabels EverFree::labels(std::span<const LaserScan> scans,
                             const Trajectory& map_from_robot) const {
-  struct Looks {
-    std::uint32_t free = 0;  // scans
-    std::uint32_t last = 0;  // of these, from 1
-  };
-  TiledGrid<Looks> looks(options_.resolution);
+  FreeSpace space(options_);
+  for (std::size_t i = 0; i < scans.size(); ++i) space.add(scans[i], map_from_robot[i].pose);
+  BeamLabels labels;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    const auto number = static_cast<std::uint32_t>(i + 1);
-    const std::vector<double> cleared =
-        cleared_lengths(scans[i], options_.beams, options_.sensor_margin, options_.pose_margin);
-    TiledGrid<Looks>::Writer writer(looks);
+    ScanLabels& of_scan = labels.emplace_back();
+    of_scan = {scans[i].time, scans[i].laser, std::vector<float>(scans[i].ranges.size(), kNoLabel)};
     for_each_beam(scans[i], map_from_robot[i].pose, options_.beams,
                   [&](std::size_t n, const Beam& beam) {
-                    const Eigen::Vector2d along = (beam.end - beam.start).normalized();
-                    if (!(cleared[n] > 0.0)) return;
-                    // The cell that the way ends in is cleared in part alone.
-                    traverse(beam.start, beam.start + cleared[n] * along, looks.frame(),
-                             [&](CellIndex cell, double) {
-                               Looks& of_cell = writer.at(cell);
-                               if (of_cell.last == number) return;
-                               of_cell.last = number;
-                               ++of_cell.free;
-                             });
+                    if (!beam.hit) return;
+                    of_scan.static_probability[n] = space.was_surely_free(beam.end) ? 0.0F : 1.0F;
                   });
   }
-  const auto enough = static_cast<double>(options_.scans);
-  return labels_of_ends(scans, map_from_robot, options_.beams, looks.frame(), [&](CellIndex cell) {
-    // One half where the last scan that it takes is missing.
-    return 1.0 / (1.0 + std::pow(static_cast<double>(looks[cell].free) / (enough - 0.5), 2.0));
-  });
+  return labels;
 }
 
 }  // namespace mapbed

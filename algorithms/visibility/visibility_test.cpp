@@ -98,37 +98,76 @@ TEST(SaturatedMap, ForgetsSoonBecauseItIsNeverTooSure) {
   EXPECT_FALSE(by_saturated_map(looks(hits_then_passes(100, 8))));
 }
 
+// In cells of 1 m, of which those beside the row may be unknown.
 bool by_ever_free(const std::vector<LaserScan>& scans) {
   return is_taken_for_dynamic(
-      EverFree({.scans = 3, .sensor_margin = 0.0, .pose_margin = 0.0, .resolution = 1.0}), scans);
+      EverFree({.scans = 3, .sensor_margin = 0.0, .pose_margin = 0, .resolution = 1.0}), scans);
 }
 
-TEST(EverFree, WhatWasSurelyFreeAFewTimesIsNeverOfThePlace) {
+TEST(EverFree, WhatWasSurelyFreeOnceIsNeverOfThePlace) {
   EXPECT_TRUE(by_ever_free(looks(hits_then_passes(100, 3))));
   EXPECT_FALSE(by_ever_free(looks(hits_then_passes(100, 2))));
+  EXPECT_TRUE(by_ever_free(looks("hppphhhhhhhhh"))) << "whenever";
 }
 
-LaserScan fan(std::vector<double> ranges) {
-  LaserScan scan;
-  scan.max_range = 20.0;
-  scan.first_bearing = -0.02 * static_cast<double>(ranges.size() / 2);
-  scan.bearing_step = 0.02;
-  scan.ranges = std::move(ranges);
-  return scan;
+// As glass does, of which each beam may be sent back.
+TEST(EverFree, AMeetingBetweenStartsTheCountAgain) {
+  EXPECT_FALSE(by_ever_free(looks("hpphpphpphpp")));
 }
 
-TEST(ClearedLength, EndsBeforeTheHit) {
-  EXPECT_NEAR(cleared_lengths(fan({5.0}), {}, 0.1, 0.2)[0], 5.0 - 0.1 - 0.2, 1e-12);
-  EXPECT_EQ(cleared_lengths(fan({0.0}), {}, 0.1, 0.2)[0], 0.0) << "it says nothing";
+// The middle row of three; 'p' passes in all of them, 'a' in all but one of the outer ones, where
+// it ends beside, 'o' in the middle alone, the outer rows are not looked at.
+std::vector<LaserScan> looks_in_three_rows(const std::string& looks) {
+  std::vector<LaserScan> scans{rows(0.0, {3.0})};
+  for (const char look : looks) {
+    LaserScan& scan = scans.emplace_back(rows(static_cast<double>(scans.size()), {7.0}));
+    if (look == 'a') scan.ranges[1] = 3.0;
+    if (look == 'o') scan.ranges[1] = scan.ranges[2] = 0.0;
+  }
+  return scans;
 }
 
-// The neighbour's hit at 3 m lies 3 sin 0.02 = 6 cm beside.
-TEST(ClearedLength, EndsWhereSomethingIsNearBesideTheBeam) {
-  const std::vector<double> cleared = cleared_lengths(fan({3.0, 9.0}), {}, 0.1, 0.1);
-  const double beside = 3.0 * std::sin(0.02);
-  EXPECT_NEAR(cleared[1], 3.0 * std::cos(0.02) - 0.1 - std::sqrt(0.01 - beside * beside), 1e-12);
-  EXPECT_NEAR(cleared_lengths(fan({3.0, 9.0}), {}, 0.1, 0.05)[1], 9.0 - 0.15, 1e-12)
-      << "farther beside than the margin";
+EverFree with_all_about(int scans, bool same_scan = false) {
+  return EverFree({.scans = scans,
+                   .same_scan = same_scan,
+                   .sensor_margin = 0.0,
+                   .pose_margin = 1,
+                   .resolution = 1.0});
+}
+
+TEST(EverFree, AllAboutAPlaceMustBeFreeToo) {
+  EXPECT_TRUE(is_taken_for_dynamic(with_all_about(2), looks_in_three_rows("pp")));
+  EXPECT_FALSE(is_taken_for_dynamic(with_all_about(2), looks_in_three_rows("oooo")))
+      << "what nobody looked at is not free";
+  EXPECT_FALSE(is_taken_for_dynamic(with_all_about(2), looks_in_three_rows("papa")));
+}
+
+TEST(EverFree, WhatIsAboutAPlaceMayBeSeenByOtherScansUnlessTheSameOneIsAskedFor) {
+  EXPECT_TRUE(is_taken_for_dynamic(with_all_about(1), looks_in_three_rows("ppo")));
+  EXPECT_TRUE(is_taken_for_dynamic(with_all_about(1, true), looks_in_three_rows("p")));
+  std::vector<LaserScan> one_row_each = looks_in_three_rows("ppp");
+  for (std::size_t i = 1; i < one_row_each.size(); ++i) {
+    for (std::size_t n = 0; n < 3; ++n) {
+      if (n != i - 1) one_row_each[i].ranges[n] = 0.0;
+    }
+  }
+  // The middle row comes last, when the others have been seen.
+  std::swap(one_row_each[1].ranges, one_row_each[3].ranges);
+  EXPECT_TRUE(is_taken_for_dynamic(with_all_about(1), one_row_each));
+  EXPECT_FALSE(is_taken_for_dynamic(with_all_about(1, true), one_row_each));
+}
+
+// Cells of 1 m; beams end in the middle of the fourth, 3.5 m from the first one's border. Those
+// that end 1 m behind it leave it free by a margin below half a metre.
+TEST(EverFree, TheLastStretchBeforeAHitIsNotFree) {
+  const auto is_free = [](double margin) {
+    const std::vector<LaserScan> scans{rows(0.0, {3.0}), rows(1.0, {4.0})};
+    return is_taken_for_dynamic(
+        EverFree({.scans = 1, .sensor_margin = margin, .pose_margin = 0, .resolution = 1.0}),
+        scans);
+  };
+  EXPECT_TRUE(is_free(0.4));
+  EXPECT_FALSE(is_free(0.6));
 }
 
 // A room with a box that goes after a sixth of the drive; poses are off by a centimetre.
