@@ -15,7 +15,7 @@ namespace mapbed {
 namespace {
 
 SensorLog drive() {
-  return drive_through(rectangular_room(6.0, 4.0), {{-1.0, 0.0}, {1.5, 0.5}}, {}, Rng(1))
+  return drive_through(rectangular_room(6.0, 4.0), {{-1.0, 0.0}, {0.0, 0.2}}, {}, Rng(1))
       .measurements;
 }
 
@@ -44,7 +44,7 @@ void set_people_alone(LaserScan& scan) {
 SensorLog standing() {
   SensorLog log;
   Rng rng(1);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 12; ++i) {
     log.emplace_back(Odometry{.time = 0.25 * i});
     log.emplace_back(with_range_noise(
         scan_of(rectangular_room(6.0, 4.0), Pose2{}, TestLaser{}, 0.25 * i), 0.01, rng));

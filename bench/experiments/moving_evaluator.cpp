@@ -1,5 +1,6 @@
 #include "bench/experiments/moving_evaluator.h"
 
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -57,6 +58,8 @@ const std::vector<EvaluatedMetric>& evaluated_metrics() {
   using L = LabelErrors;
   using F = TrackingFrames;
   static const std::vector<EvaluatedMetric> table{
+      {{"called_dynamic", Unit::none, "of beams that have a label, the fraction called dynamic"},
+       [](E& e) { return e.called_dynamic(); }},
       {{"label_precision", Unit::none, "of beams called dynamic, the fraction that met a mover"},
        [](E& e) { return of_labels(e, [](const L& l) { return l.precision(); }); }},
       {{"label_recall", Unit::none,
@@ -86,10 +89,14 @@ const std::vector<EvaluatedMetric>& evaluated_metrics() {
         "cells that truly are free and that a map server is not told so, made by what moves in the "
         "recording"},
        [](E& e) { return of_cells(e, &SpuriousCells::of_movers); }},
-      {{"resting_cells", Unit::none, "the same of what could move and never does"},
+      {{"people_cells", Unit::none, "of mover_cells those that people made, not doors"},
+       [](E& e) { return of_cells(e, &SpuriousCells::of_people); }},
+      {{"resting_cells", Unit::none, "as mover_cells, of what could move and never does"},
        [](E& e) { return of_cells(e, &SpuriousCells::of_resting); }},
       {{"lost_cells", Unit::none,
-        "fraction of the true occupied cells that a map of all beams shows and this one does not"},
+        "of the true occupied cells that a map server is not told to be free by a map of all "
+        "beams, "
+        "the fraction that it is told to be free by this one"},
        [](E& e) { return e.lost(); }},
       {{"mota", Unit::none, "multi-object tracking accuracy, see clear_mot.h"},
        [](E& e) { return e.mot() == nullptr ? kNone : e.mot()->accuracy(); }},
@@ -179,10 +186,24 @@ const std::vector<double>& MovingEvaluator::iterations(const std::string& name) 
   return kNoValues;
 }
 
+double MovingEvaluator::called_dynamic() const {
+  if (!estimate_.labels) return kNone;
+  LabelCounts counts;
+  for (const ScanLabels& of_scan : *estimate_.labels) {
+    for (const float label : of_scan.static_probability) {
+      if (std::isnan(label)) continue;
+      ++counts.beams;
+      if (is_dynamic(label)) ++counts.dynamic;
+    }
+  }
+  return counts.fraction();
+}
+
 double MovingEvaluator::lost() {
   if (!input_.true_map || !estimate_.labels) return kNone;
   const OccupancyMap of_all = build_map(input_.log, world_from_robot_, map_options_);
-  return lost_cells(of_all, map_, input_.true_map(map_options_.resolution));
+  return lost_cells(of_all, map_, input_.true_map(map_options_.resolution),
+                    {.occupied = MapServerThresholds{}.free});
 }
 
 // Who was near the robot. Those whom the scan does not see, and who never move, do not count.

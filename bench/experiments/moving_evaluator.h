@@ -46,6 +46,7 @@ class MovingEvaluator {
 
   const LabelErrors* labels();  // null: there are none
   const SpuriousCells* spurious();
+  double called_dynamic() const;   // fraction of the beams with a label, whatever they met
   double lost();                   // fraction of the true cells
   const TrackingFrames* frames();  // in which everybody counts
   const ClearMot* mot();

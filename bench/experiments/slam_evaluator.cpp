@@ -41,6 +41,10 @@ const std::vector<EvaluatedMetric>& evaluated_metrics() {
        [](E& e) { return e.relations().sigma_rotation; }},
       {{"relations_compared", Unit::none, "relations that the estimate reaches"},
        [](E& e) { return e.relations_compared(); }},
+      {{"log_error", Unit::meter,
+        "relations_translation, or where nobody measured relations the same over near pairs of the "
+        "poses that another program found, see pairs.h"},
+       [](E& e) { return e.log_error(); }},
       {{"success", Unit::none,
         "1: largest_error is below success_distance, excess_doubled_walls below "
         "success_doubled_walls",
@@ -150,6 +154,12 @@ const RelationsError& SlamEvaluator::relations() {
 
 double SlamEvaluator::relations_compared() {
   return input_.relations ? relations().count : kNone;
+}
+
+double SlamEvaluator::log_error() {
+  if (input_.relations || !input_.pairs) return relations().mean_translation;
+  if (estimate_.trajectory.empty()) return kNone;
+  return relations_error(estimate_.trajectory, input_.pairs()).mean_translation;
 }
 
 const MapErrors& SlamEvaluator::map_errors() {

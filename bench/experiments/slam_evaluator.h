@@ -62,6 +62,7 @@ class SlamEvaluator {
   double has_failed() const;     // 0 or 1
   const RelationsError& relations();
   double relations_compared();
+  double log_error();  // [m] over relations that were measured, or else near pairs, see pairs.h
   const MapErrors& map_errors();
   double spurious_cells();
   const MapConfusion& confusion();

@@ -126,6 +126,17 @@ TEST_F(SlamEvaluatorOf, StampsOfRelationsAreReachedByOdometryOrLinearly) {
   EXPECT_NEAR(values()["relations_translation_spread"], 0.125, 1e-9);  // the same
 }
 
+TEST_F(SlamEvaluatorOf, AnErrorOfALogIsOverRelationsOrWithoutAnyOverPairs) {
+  EXPECT_TRUE(std::isnan(values()["log_error"]));
+  const std::vector<Relation> pairs{{0.0, 2.0, Pose2{1.25, 0.0, 0.0}}};
+  input_.pairs = [&]() -> const std::vector<Relation>& { return pairs; };
+  EXPECT_NEAR(values()["log_error"], 0.25, 1e-9);  // 1 m was driven
+  MeasuredRelations measured;
+  measured.relations = {{0.0, 2.0, Pose2{1.5, 0.0, 0.0}}};
+  input_.relations = [&]() -> const MeasuredRelations& { return measured; };
+  EXPECT_NEAR(values()["log_error"], 0.5, 1e-9);
+}
+
 TEST_F(SlamEvaluatorOf, OnlyWhatIsWantedIsWorkedOut) {
   input_.wanted = {"largest_error"};
   input_.true_map = [](double) -> const TrueMap& { throw std::logic_error("not wanted"); };

@@ -13,7 +13,7 @@ namespace {
 
 // Beams that end in a cell.
 struct Ends {
-  std::uint32_t of_movers = 0, of_resting = 0, of_others = 0;
+  std::uint32_t of_movers = 0, of_people = 0, of_resting = 0, of_others = 0;
 };
 
 bool is_occupied(const Occupancy& cell, const MapErrorOptions& options) {
@@ -32,6 +32,7 @@ TiledGrid<Ends> ends_of(const SensorLog& log, const Trajectory& world_from_robot
       const Cause cause = of_beams[n].cause;
       const bool moves = cause == Cause::moving || cause == Cause::waiting;
       ++(moves ? cell.of_movers : cause == Cause::resting ? cell.of_resting : cell.of_others);
+      if (moves && of_beams[n].kind == EntityKind::person) ++cell.of_people;
     });
   });
   return ends;
@@ -63,6 +64,7 @@ SpuriousCells spurious_cells(const OccupancyMap& map, const TrueMap& truth, cons
     const std::uint32_t others = made_by.of_resting + made_by.of_others;
     if (made_by.of_movers > others) {
       ++result.of_movers;
+      if (2 * made_by.of_people > made_by.of_movers) ++result.of_people;
     } else if (made_by.of_resting > made_by.of_movers + made_by.of_others) {
       ++result.of_resting;
     } else {

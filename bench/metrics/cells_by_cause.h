@@ -11,6 +11,7 @@ namespace mapbed {
 // of the beams that end in them.
 struct SpuriousCells {
   long of_movers = 0;   // of what moves in this recording
+  long of_people = 0;   // of these, made by people more than by doors and other things
   long of_resting = 0;  // of what could and does not
   long of_others = 0;   // of the place itself, drawn at a wrong place, or of noise
 };

@@ -127,6 +127,11 @@ TEST_F(OneOfEachKind, SpuriousCellsAreChargedToWhatMadeThem) {
   EXPECT_EQ(cells.of_movers, 1);
   EXPECT_EQ(cells.of_resting, 1);
   EXPECT_EQ(cells.of_others, 0);
+  EXPECT_EQ(cells.of_people, 1);
+  truth_.entities[kWalker].kind = EntityKind::door;
+  EXPECT_EQ(spurious_cells(map, wall_alone(), log_, path_, TrueCauses(truth_), {.tolerance = 0})
+                .of_people,
+            0);
 }
 
 TEST_F(OneOfEachKind, ACellIsLostWhereTheMapOfAllBeamsAloneShowsTheWall) {

@@ -148,6 +148,7 @@ const Sample kSamples[] = {
     {"aces", "CARMEN", 440, 180, -90, 1, 50, 0, true},
     {"seattle", "CARMEN", 241, 361, -90, 0.5, 81.83, 0, true},
     {"freiburg_101", "CARMEN", 292, 360, -90, 0.5, 81.83, -0.04, true},
+    {"freiburg_campus", "CARMEN", 2008, 360, -90, 0.5, 81.83, 0, true},
     {"tinyslam_exp1", "CoreSLAM", 756, 682, -119.53125, 360.0 / 1024, 5.6, 0.145, true},
     {"tinyslam_exp2", "CoreSLAM", 641, 682, -119.53125, 360.0 / 1024, 5.6, 0.145, true},
     {"tinyslam_test_lab", "CoreSLAM", 590, 682, -119.53125, 360.0 / 1024, 5.6, 0.145, true},
