@@ -11,11 +11,12 @@
 namespace mapbed {
 namespace {
 
-constexpr double kNear = 6.0;       // [m] of the robot: what a figure shows
-constexpr double kTrail = 4.0;      // [s]
-constexpr double kBody = 0.15;      // [m] radius of a person
-constexpr double kCompared = 1.6;   // [s] between the two scans of Figure 3.2
-constexpr std::uint64_t kSeed = 1;  // of the samples
+constexpr double kNear = 6.0;        // [m] of the robot: what a figure shows
+constexpr double kTrail = 4.0;       // [s]
+constexpr double kFollowedOn = 0.6;  // [s] after an occlusion, to count as found again
+constexpr double kBody = 0.15;       // [m] radius of a person
+constexpr double kCompared = 1.6;    // [s] between the two scans of Figure 3.2
+constexpr std::uint64_t kSeed = 1;   // of the samples
 
 // The log through the filter, which is looked at after each scan.
 void follow(const SensorLog& log, PeopleFilter& filter, const std::function<bool()>& looked_at) {
@@ -81,6 +82,12 @@ std::size_t PeopleDrive::busiest_scan() const {
   return busiest;
 }
 
+bool PeopleDrive::is_seen_at(int id, std::size_t scan) const {
+  return std::any_of(
+      people_[scan].begin(), people_[scan].end(),
+      [id](const FollowedPerson& person) { return person.id == id && person.is_seen; });
+}
+
 std::optional<PeopleDrive::Occlusion> PeopleDrive::longest_occlusion() const {
   struct Gap {
     std::size_t first = 0;
@@ -102,7 +109,8 @@ std::optional<PeopleDrive::Occlusion> PeopleDrive::longest_occlusion() const {
       if (gap == gaps.end()) continue;
       const Occlusion occlusion{person.id, gap->second.first, k - 1};
       const auto length = [](const Occlusion& o) { return o.last - o.first; };
-      if (gap->second.is_hidden && (!longest || length(occlusion) > length(*longest))) {
+      if (gap->second.is_hidden && is_seen_at(person.id, scan_at(seconds_at(k) + kFollowedOn)) &&
+          (!longest || length(occlusion) > length(*longest))) {
         longest = occlusion;
       }
       gaps.erase(gap);

@@ -53,6 +53,7 @@ class PeopleDrive {
   std::vector<PeopleMoment> moments(const std::vector<std::size_t>& scans) const;
 
  private:
+  bool is_seen_at(int id, std::size_t scan) const;
   PeopleMoment moment(const PeopleFilter& filter) const;
   std::vector<Eigen::Vector2d> way_of(int id, std::size_t scan) const;
 

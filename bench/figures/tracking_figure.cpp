@@ -48,7 +48,6 @@ void draw_person(const PersonThen& then, const Pose2& panel_from_local, PlanePan
     panel.draw_ellipse(place, rotation * then.person.covariance * 4.0 * rotation.transpose(), color,
                        true);
   }
-  panel.draw_number(place, then.person.id, color);
 }
 
 RgbImage panel_of(const PeopleMoment& moment, const Pose2& panel_from_local, PlanePanel panel) {
@@ -61,6 +60,10 @@ RgbImage panel_of(const PeopleMoment& moment, const Pose2& panel_from_local, Pla
   }
   panel.draw_hits(scan, panel_from_robot, kScanColor);
   for (const PersonThen& then : moment.people) draw_person(then, panel_from_local, panel);
+  for (const PersonThen& then : moment.people) {
+    panel.draw_number(panel_from_local * then.person.position, then.person.id,
+                      track_color(then.person.id));
+  }
   panel.draw_robot(panel_from_robot);
   panel.draw_border();
   return panel.image();
