@@ -59,7 +59,7 @@ TEST_F(RenderCommand, DrawsSeveralMapsInOneFigureAsPngOrPdf) {
   const Outcome one = call({"render", "room.yaml", "-o", "one.png"});
   const Outcome two = call({"render", "room.yaml", "room.yaml", "-o", "two.png", "--name", "a"});
   ASSERT_EQ(two.status, 0) << two.err;
-  EXPECT_GT(read_samples(path("two.png")).width, read_samples(path("one.png")).width + 200);
+  EXPECT_GT(read_samples(path("two.png")).height, read_samples(path("one.png")).height + 200);
   const Outcome pdf = call({"render", "room.yaml", "room.yaml", "-o", "two.pdf"});
   ASSERT_EQ(pdf.status, 0) << pdf.err;
   EXPECT_EQ(text("two.pdf").substr(0, 5), "%PDF-");
