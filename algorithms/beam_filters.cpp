@@ -4,6 +4,7 @@
 
 #include "algorithms/people/leg_filter.h"
 #include "algorithms/people/tracking_filter.h"
+#include "algorithms/segments/segment_filter.h"
 #include "algorithms/visibility/ever_free.h"
 #include "algorithms/visibility/saturated_map.h"
 #include "algorithms/visibility/visibility_vote.h"
@@ -43,6 +44,8 @@ const std::vector<BeamFilterEntry>& beam_filters() {
           "ever_free", "whatever is seen where a place was ever surely free, as DUFOMap does"),
       filter<SaturatedMap, SaturatedMapOptions>(
           "saturated_map", "what is seen where an occupancy map that forgets is free in the end"),
+      filter<SegmentFilter, SegmentFilterOptions>(
+          "segments", "whatever moves, by segments of scans that are followed"),
       filter<VisibilityVote, VisibilityVoteOptions>("visibility_vote",
                                                     "what more scans see through than see"),
   };
