@@ -65,6 +65,17 @@ TEST_F(RenderFilm, OfAMap) {
   EXPECT_THAT(outcome.out, HasSubstr("21 frames, 4.2 s, 0.5 times real time"));
 }
 
+// What em finds comes at its end, and the film's legend says so: the first one has that.
+TEST_F(RenderFilm, OfAWholeRunEndsWithWhatCameOfIt) {
+  write("em.yaml",
+        "world: office\nrobot: pioneer\npeople: 2\nrecorder.longest: 2 s\n"
+        "compare: {em: {estimator: em, em.iterations: 1}}\nseeds: 1\nmetrics: [largest_error]\n");
+  ASSERT_EQ(film({"./em.yaml"}, "whole.gif").status, 0);
+  // Ten scans, 0.2 s apart.
+  ASSERT_EQ(film({"./em.yaml", "--to", "1.8 s"}, "part.gif").status, 0);
+  EXPECT_NE(text("whole.gif"), text("part.gif"));
+}
+
 TEST_F(RenderFilm, TakesThePlaceOfAFilmOfOursAlone) {
   make_map();
   write("film.gif", "somebody's");
