@@ -11,9 +11,9 @@ namespace {
 
 // What was seen of a cell.
 struct Look {
-  std::uint32_t met_in = 0;   // number of the newest such scan, from 1
-  std::uint32_t free_in = 0;  // the same
-  int free_for = 0;           // scans that looked there, up to the newest, as many as are enough
+  std::uint32_t met_in = 0;    // number of the newest such scan, from 1
+  std::uint32_t free_in = 0;   // the same
+  std::uint16_t free_for = 0;  // scans that looked there, up to the newest; as many as are enough
   bool was_surely_free = false;
 };
 
@@ -65,7 +65,7 @@ class FreeSpace {
       is_open = look.met_in != scan_;
       if (!is_open || look.free_in == scan_) return;
       look.free_in = scan_;
-      look.free_for = std::min(look.free_for + 1, options_.scans);
+      if (look.free_for < options_.scans) ++look.free_for;
       free_.push_back(cell);
     };
     traverse(beam.start, beam.end, looks_.frame(), mark);

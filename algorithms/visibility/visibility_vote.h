@@ -6,7 +6,7 @@
 namespace mapbed {
 
 struct VisibilityVoteOptions {
-  double ratio = 3.0;
+  double ratio = 5.0;
   double resolution = 0.05;  // [m]
   double end_margin = 0.1;   // [m]
   BeamLimits beams{};
