@@ -220,7 +220,54 @@ HeatMap heat_map_of(const Results& results, const PlotSpec& spec) {
   return map;
 }
 
+namespace {
+
+void set_value_axis(const PlotSpec& spec, const std::string& metric, Unit unit, Matrix& matrix) {
+  matrix.value = metric_axis(metric, unit, spec.value_label, spec.log_value);
+  if (spec.value_range.empty()) return;
+  const auto end = [&](std::size_t i) {
+    return displayed(parse_quantity(spec.value_range[i], unit, spec.place), unit);
+  };
+  matrix.value.low = end(0);
+  matrix.value.high = end(1);
+}
+
+// A row for each metric, a column for each variant.
+Matrix matrix_of_metrics(const Results& results, const PlotSpec& spec) {
+  Matrix matrix{.title = spec.title, .rows_label = "metric"};
+  const auto metric_of = [&](const std::string& name) {
+    return results.metrics[static_cast<std::size_t>(metric_index(results, name))];
+  };
+  set_value_axis(spec, spec.rows.front(), metric_of(spec.rows.front()).unit, matrix);
+  std::map<int, std::size_t> column_of;  // by variant
+  for (int variant = 0; variant < static_cast<int>(results.variants.size()); ++variant) {
+    if (!is_shown(results, spec, variant)) continue;
+    column_of[variant] = matrix.columns.size();
+    matrix.columns.push_back({"", results.variants[static_cast<std::size_t>(variant)]});
+  }
+  matrix.values.assign(spec.rows.size() * matrix.columns.size(),
+                       std::numeric_limits<double>::quiet_NaN());
+  ShownRuns counted;
+  for (const std::string& name : spec.rows) {
+    for (const SummaryRow& row : results.summary) {
+      if (row.metric != metric_index(results, name) || row.runs == 0 ||
+          !is_shown(results, spec, row.level, row.variant)) {
+        continue;
+      }
+      matrix.values[matrix.rows.size() * matrix.columns.size() + column_of.at(row.variant)] =
+          displayed(row.mean, metric_of(name).unit);
+      counted.add(row);
+    }
+    matrix.rows.push_back(words_of(name));
+  }
+  matrix.subtitle = subtitle_of(spec, counted.runs_each("mean of {} runs each"), counted);
+  return matrix;
+}
+
+}  // namespace
+
 Matrix matrix_of(const Results& results, const PlotSpec& spec) {
+  if (!spec.rows.empty()) return matrix_of_metrics(results, spec);
   const int metric = metric_index(results, spec.value);
   const int mark = metric_index(results, spec.mark);
   const int x = axis_index(results, spec.x);
@@ -228,14 +275,7 @@ Matrix matrix_of(const Results& results, const PlotSpec& spec) {
   CHECK(metric >= 0 && y >= 0);
   const Unit unit = results.metrics[static_cast<std::size_t>(metric)].unit;
   Matrix matrix{.title = spec.title, .rows_label = words_of(spec.y)};
-  matrix.value = metric_axis(spec.value, unit, spec.value_label, spec.log_value);
-  if (!spec.value_range.empty()) {
-    const auto end = [&](std::size_t i) {
-      return displayed(parse_quantity(spec.value_range[i], unit, spec.place), unit);
-    };
-    matrix.value.low = end(0);
-    matrix.value.high = end(1);
-  }
+  set_value_axis(spec, spec.value, unit, matrix);
   if (mark >= 0) matrix.mark_label = words_of(spec.mark);
   const MatrixPlaces places = matrix_places(results, spec, x, y);
   matrix.rows = places.rows;

@@ -172,6 +172,26 @@ TEST(Figures, AMatrixHasRowsOfOneAxisAndColumnsOfTheOtherWithTheVariants) {
   EXPECT_EQ(title_of(matrix.value), "error [m]");
 }
 
+TEST(Figures, AMatrixOfMetricsHasARowForEachInTheirOrder) {
+  Results results;
+  results.levels = levels_of({});
+  results.variants = {"a", "b", "c"};
+  results.metrics = {{"of_people", Unit::none, ""}, {"of_doors", Unit::none, ""}};
+  for (int variant = 0; variant < 3; ++variant) {
+    results.summary.push_back(row(0, variant, 0.1 * variant));
+    results.summary.push_back(row(0, variant, 0.5 + 0.1 * variant));
+    results.summary.back().metric = 1;
+  }
+  results.summary[3].runs = 0;  // of doors in 'b' there was no value
+  const Matrix matrix = matrix_of(
+      results,
+      {.kind = PlotKind::matrix, .rows = {"of_doors", "of_people"}, .variants = {"a", "b"}});
+  EXPECT_THAT(matrix.rows, ElementsAre("of doors", "of people"));
+  ASSERT_EQ(matrix.columns.size(), 2U);
+  EXPECT_EQ(matrix.columns[1].name, "b");
+  EXPECT_THAT(matrix.values, ElementsAre(0.5, ::testing::IsNan(), 0.0, 0.1));
+}
+
 TEST(Figures, AMatrixOfOneAxisHasTheVariantsAsColumns) {
   const Matrix matrix = matrix_of(sweep(), {.kind = PlotKind::matrix,
                                             .y = "odometry.sigma",

@@ -81,19 +81,43 @@ void check_heat_map(const PlotSpec& plot, const Results& plan) {
   }
 }
 
+// Metrics of one unit, at one level.
+void check_rows(const PlotSpec& plot, const Results& plan) {
+  std::ptrdiff_t fixed = 0;
+  for (const auto& at : plot.at) fixed += at.second.size() == 1 ? 1 : 0;
+  if (fixed != static_cast<std::ptrdiff_t>(plan.axes.size())) {
+    throw InputError(plot.place, "the matrix '" + plot.file + "' has no one value for each place",
+                     "give one value of each axis that is swept with 'at'");
+  }
+  for (const std::string& metric : plot.rows) {
+    check_name(plot, metric, metrics_of(plan), "not measured here");
+    const auto unit_of = [&](const std::string& name) {
+      return plan.metrics[static_cast<std::size_t>(metric_index(plan, name))].unit;
+    };
+    if (unit_of(metric) == unit_of(plot.rows.front())) continue;
+    throw InputError(plot.place, "the rows of the matrix '" + plot.file + "' have several units",
+                     "one scale of colours needs one unit");
+  }
+}
+
+void check_value_range(const PlotSpec& plot, Unit unit) {
+  for (const std::string& end : plot.value_range) (void)parse_quantity(end, unit, plot.place);
+  if (plot.value_range.size() == 0 || plot.value_range.size() == 2) return;
+  throw InputError(plot.place, "the value_range of '" + plot.file + "' has no two ends",
+                   "write e.g. 'value_range: [1, 100]'");
+}
+
 void check_matrix(const PlotSpec& plot, const Results& plan) {
+  const std::string& shown = plot.rows.empty() ? plot.value : plot.rows.front();
+  if (!plot.rows.empty()) check_rows(plot, plan);
   for (const std::string& path : {plot.x, plot.y}) {
     check_name(plot, path, axes_of(plan), "not swept here");
   }
   for (const std::string& metric : {plot.value, plot.mark}) {
     check_name(plot, metric, metrics_of(plan), "not measured here");
   }
-  const Unit unit = plan.metrics[static_cast<std::size_t>(metric_index(plan, plot.value))].unit;
-  for (const std::string& end : plot.value_range) (void)parse_quantity(end, unit, plot.place);
-  if (plot.value_range.size() != 0 && plot.value_range.size() != 2) {
-    throw InputError(plot.place, "the value_range of '" + plot.file + "' has no two ends",
-                     "write e.g. 'value_range: [1, 100]'");
-  }
+  check_value_range(plot, plan.metrics[static_cast<std::size_t>(metric_index(plan, shown))].unit);
+  if (!plot.rows.empty()) return;
   const auto fixed = std::count_if(plot.at.begin(), plot.at.end(),
                                    [](const auto& at) { return at.second.size() == 1; });
   const std::ptrdiff_t open = static_cast<std::ptrdiff_t>(plan.axes.size()) - fixed;
@@ -125,6 +149,7 @@ void read(const ConfigNode& node, const char* key, std::string& text) {
 }
 
 void read_matrix(const ConfigNode& node, PlotSpec& plot) {
+  if (const ConfigNode* rows = node.find("rows")) plot.rows = rows->texts();
   read(node, "mark", plot.mark);
   if (const ConfigNode* range = node.find("value_range")) plot.value_range = range->texts();
   if (const ConfigNode* log_value = node.find("log_value")) plot.log_value = log_value->flag();
@@ -140,10 +165,12 @@ void read_data(const ConfigNode& node, PlotSpec& plot) {
   const bool is_matrix = plot.kind == PlotKind::matrix;
   const bool is_heat_map = plot.kind == PlotKind::heat_map;
   if (is_heat_map) plot.x = node.at("x").text();
-  if (is_heat_map || is_matrix) plot.value = node.at("value").text();
   if (is_matrix) read_matrix(node, plot);
-  plot.y = node.at("y").text();
-  plot.file = is_heat_map || is_matrix ? plot.value : plot.y;
+  if (plot.rows.empty()) {
+    if (is_heat_map || is_matrix) plot.value = node.at("value").text();
+    plot.y = node.at("y").text();
+    plot.file = is_heat_map || is_matrix ? plot.value : plot.y;
+  }
   read(node, "file", plot.file);
   read(node, "lines_by", plot.lines_by);
   if (plot.file.empty() || plot.file.find_first_of("/\\ ") != std::string::npos) {
@@ -200,6 +227,7 @@ std::string plot_text(const PlotSpec& plot) {
                    {"x", flow_scalar(plot.x)},
                    {"y", flow_scalar(plot.y)},
                    {"value", flow_scalar(plot.value)},
+                   {"rows", plot.rows.empty() ? "" : flow_list(plot.rows)},
                    {"mark", flow_scalar(plot.mark)},
                    {"value_range", plot.value_range.empty() ? "" : flow_list(plot.value_range)},
                    {"log_value", plot.log_value ? "true" : ""},

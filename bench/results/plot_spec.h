@@ -29,6 +29,7 @@ struct PlotReference {
 //   {kind: points, x: path_length, y: failures}     a mark for each run
 //   {kind: heat_map, x: hits, y: misses, value: occupancy, variants: [counting]}
 //   {kind: matrix, y: fault, x: log, value: error_ratio, log_value: true, mark: told}
+//   {kind: matrix, file: removed, rows: [of_people, of_doors]}   a row for each metric
 //   {kind: series, y: residual, log_y: true}        over the iterations of the series
 //   {y: failures, at: {people: 10}}                 these levels alone; also {people: [5, 10]}
 //
@@ -44,6 +45,7 @@ struct PlotSpec {
   std::string y;          // a metric; of a heat map the path of an axis; of a series its name
   std::string value;      // of a heat map or matrix: the metric that the colours show
   std::string mark = {};  // of a matrix: the metric of the dots; or empty
+  std::vector<std::string> rows = {};         // of a matrix: metrics, in place of y and value
   std::vector<std::string> value_range = {};  // of a matrix: two numbers with unit, or none
   bool log_value = false;                     // of a matrix
   std::string lines_by;  // path of a second axis, a line for each of its values; or empty

@@ -28,6 +28,7 @@ TEST(PlotSpec, IsWrittenAsItIsRead) {
                            "{y: distance, at: {hits: 1, world: [a, b]}}",
                            "{kind: matrix, y: fault, value: distance, mark: told, log_value: true, "
                            "value_range: [1 m, 2 m]}",
+                           "{kind: matrix, file: all, rows: [distance, told], value_label: V}",
                            "{kind: series, y: residual, log_y: true, at: {hits: 1}}"}) {
     const std::string text = plot_text(read(yaml));
     EXPECT_EQ(plot_text(read(text)), text);
@@ -95,6 +96,21 @@ TEST(PlotSpec, OfAMatrixHasOneValueForEachRowAndColumn) {
   EXPECT_INPUT_ERROR(check(", x: hits, value_range: [1 cm]"), "has no two ends");
   EXPECT_INPUT_ERROR(check(", x: hits, value_range: [1 s, 2 s]"), "is not a length");
   EXPECT_INPUT_ERROR(read("{kind: matrix, y: world}"), "value");
+}
+
+TEST(PlotSpec, OfAMatrixOfMetricsHasRowsOfOneUnitAtOneLevel) {
+  Results plan = cells();
+  plan.metrics.push_back({"told", Unit::none, ""});
+  plan.metrics.push_back({"width", Unit::meter, ""});
+  const auto check = [&](const std::string& rows, const std::string& more) {
+    check_plot(read("{kind: matrix, file: all, rows: " + rows + more + "}"), plan);
+  };
+  const std::string one_level = ", at: {hits: 1, world: a}";
+  check("[distance, width]", one_level);
+  EXPECT_INPUT_ERROR(check("[distance, width]", ""), "has no one value for each place");
+  EXPECT_INPUT_ERROR(check("[distance, widht]", one_level), "did you mean 'width'?");
+  EXPECT_INPUT_ERROR(check("[distance, told]", one_level), "have several units");
+  EXPECT_INPUT_ERROR(read("{kind: matrix, rows: [distance]}"), "'' is not a name for a picture");
 }
 
 TEST(PlotSpec, OfASeriesKnowsWhatItGoesOver) {
