@@ -9,7 +9,7 @@ struct EverFreeOptions {
   int scans = 10;
   bool same_scan = false;
   double sensor_margin = 0.2;  // [m]
-  int pose_margin = 1;         // [cells]
+  int pose_margin = 2;         // [cells]
   double resolution = 0.05;    // [m]
   BeamLimits beams{};
 };
@@ -39,6 +39,9 @@ void visit_fields(EverFreeOptions& o, Visitor&& visit) {
 // judges while it goes; margins and judging in the end those of DUFOMap (Duberg et al., IEEE RA-L
 // 2024), which is this with scans 1, same_scan, margins of 0.2 m and 1, cells of 0.1 m. A plane has
 // few beams: with one scan alone its neighbours prove little far away, and too much at glass.
+//
+// It trusts the path within the margin for poses: where a loop stays open by more, a wall that is
+// seen at two places was surely free at one of them.
 //
 // Doors that opened once and chairs that were taken away are dynamic too.
 class EverFree : public BatchFilter {
