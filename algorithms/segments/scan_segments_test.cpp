@@ -52,6 +52,16 @@ TEST(ScanSegments, WhatCameIsOneOfItsOwn) {
   EXPECT_NEAR(segments[0].box.center().y(), 0.0, 0.01);
 }
 
+TEST(ScanSegments, EndWhereRangesJumpAlsoWhereAllStoodThere) {
+  TestRoom room = rectangular_room(8.0, 6.0);
+  room.add_box({2.0, 0.0}, 0.4, 0.4);
+  const std::vector<ScanSegment> segments = segments_of(seen(room, 2.0), {}, past_of(room), {});
+  ASSERT_THAT(segments, SizeIs(3)) << "the wall to either side, and the box";
+  EXPECT_THAT(segments[1].beams, SizeIs(13));
+  EXPECT_NE(segments[0].piece, segments[1].piece);
+  EXPECT_NE(segments[1].piece, segments[2].piece);
+}
+
 // No range jumps where something touches the wall; what stood there before ends.
 TEST(ScanSegments, WhoLeansOnAWallIsAnotherThanTheWall) {
   const TestRoom empty = rectangular_room(8.0, 6.0);
