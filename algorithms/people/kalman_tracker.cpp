@@ -35,7 +35,9 @@ std::vector<int> KalmanTracker::assigned(const ScanSightings& scan) const {
                                      sighting.sigma * sighting.sigma * Eigen::Matrix2d::Identity();
       const Eigen::Vector2d off = sighting.position - filters_[i].state.mean.head<2>();
       double away = off.dot(spread.inverse() * off);
-      if (sighting.before == SeenBefore::same) away += options_.place_penalty;
+      if (away > options_.gate * options_.gate) continue;
+      const SeenBefore before = filters_[i].life.before(scan.past, sighting);
+      if (before == SeenBefore::same) away += options_.place_penalty;
       if (away > options_.gate * options_.gate) continue;
       cost(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = away;
     }
@@ -45,6 +47,7 @@ std::vector<int> KalmanTracker::assigned(const ScanSightings& scan) const {
 
 void KalmanTracker::update(const ScanSightings& scan) {
   const Pose2 robot_from_local = inverse(scan.local_from_robot);
+  for (Filter& filter : filters_) filter.life.recall(scan.past);
   const std::vector<int> sightings = assigned(scan);
   std::vector<bool> is_taken(scan.sightings.size(), false);
   for (std::size_t i = 0; i < filters_.size(); ++i) {
@@ -58,14 +61,9 @@ void KalmanTracker::update(const ScanSightings& scan) {
       is_taken[static_cast<std::size_t>(sightings[i])] = true;
       filter.state.correct(sighting.position, sighting.sigma);
     }
-    const SeenBefore before = is_seen
-                                  ? scan.sightings[static_cast<std::size_t>(sightings[i])].before
-                                  : SeenBefore::nothing;
-    const Eigen::Vector2d position = filter.state.mean.head<2>();
-    filter.life.update(scan.time(),
-                       {is_seen, before, hidden, scan.at(filter.life.start()), position,
-                        robot_from_local * position},
-                       options_.life);
+    const Sighting* sighting =
+        is_seen ? &scan.sightings[static_cast<std::size_t>(sightings[i])] : nullptr;
+    filter.life.update(scan, sighting, hidden, filter.state.mean.head<2>(), options_.life);
   }
   std::erase_if(filters_, [&](const Filter& filter) {
     return filter.life.is_over(scan.time(), filter.state.longest_sigma(), options_.life);
@@ -79,7 +77,7 @@ void KalmanTracker::update(const ScanSightings& scan) {
     if (is_taken[j] || !sighting.may_be_new() || is_near) continue;
     filters_.push_back(
         {ConstantVelocity::at(sighting.position, sighting.sigma, options_.speed_sigma),
-         TrackLife(next_id_++, scan.time(), first_of(scan, sighting))});
+         TrackLife(next_id_++, scan.time(), sighting.position, options_.life)});
   }
 }
 

@@ -20,7 +20,9 @@ std::vector<float> LegFilter::add(const LaserScan& scan, std::span<const float> 
   std::vector<float> weights(scan.ranges.size(), 1.0F);
   for (std::size_t i = 0; i < found.features.size(); ++i) {
     const LegFeature& leg = found.features[i];
-    if (found.before[i] != SeenBefore::free || leg.quality < options_.least_quality) continue;
+    if (found.past.verdict(found.places[i]) != SeenBefore::free ||
+        leg.quality < options_.least_quality)
+      continue;
     for (std::size_t b = leg.first; b <= leg.last; ++b) weights[b] = 0.0F;
   }
   ScanLabels& labels = labels_.emplace_back();

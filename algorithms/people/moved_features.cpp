@@ -1,6 +1,7 @@
 #include "algorithms/people/moved_features.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -56,38 +57,57 @@ void RecentScans::add(ScanView view, const Pose2& local_from_robot, std::vector<
   if (scans_.size() > static_cast<std::size_t>(options_.scans)) scans_.pop_front();
 }
 
-SeenBefore RecentScans::seen_before(const LegFeature& feature, double now,
-                                    const Pose2& local_from_robot, double radius) const {
-  return seen_before(feature.position, feature.spacing, now, local_from_robot, radius);
+PlaceBefore RecentScans::before(const LegFeature& feature, const Pose2& local_from_robot,
+                                double radius) const {
+  return before(feature.position, feature.spacing, local_from_robot, radius);
 }
 
-SeenBefore RecentScans::seen_before(const Eigen::Vector2d& point_in_robot, double spacing,
-                                    double now, const Pose2& local_from_robot,
-                                    double radius) const {
+PlaceBefore RecentScans::before(const Eigen::Vector2d& point_in_robot, double spacing,
+                                const Pose2& local_from_robot, double radius) const {
   const Eigen::Vector2d position = local_from_robot * point_in_robot;
   const double aside = 0.5 * spacing;
-  int free = 0;
-  int same = 0;
-  bool stood = false;  // something, longer than somebody who walks stays
-  int telling = 0;     // scans in which the place was elsewhere in the robot's frame
+  PlaceBefore result;
+  int telling = 0;  // scans in which the place was elsewhere in the robot's frame
   int on_robot = 0;
+  ScanBits bit = 1;
   for (const Scan& scan : scans_) {
     const Eigen::Vector2d point = scan.robot_from_local * position;
     const SeenBefore seen =
         seen_at(scan.view, point, radius, aside, options_.tolerance, scan.on_people);
-    if (seen == SeenBefore::free) ++free;
-    if (seen == SeenBefore::same) ++same;
-    const bool is_old = now - scan.view.scan().time >= options_.lasting;
-    stood = stood || (seen == SeenBefore::same && is_old);
+    if (seen == SeenBefore::free) result.free |= bit;
+    if (seen == SeenBefore::same) result.same |= bit;
+    bit <<= 1;
     if ((point - point_in_robot).norm() < kElsewhere) continue;
     ++telling;
     const SeenBefore there =
         seen_at(scan.view, point_in_robot, radius, aside, kSameOnRobot, scan.on_people);
     if (there == SeenBefore::same) ++on_robot;
   }
-  if (on_robot >= kLeastOnRobot && 2 * on_robot > telling) return SeenBefore::same;
-  if (stood || (same > 0 && same >= free)) return SeenBefore::same;
-  return free >= options_.least_free ? SeenBefore::free : SeenBefore::nothing;
+  result.rides_along = on_robot >= kLeastOnRobot && 2 * on_robot > telling;
+  return result;
+}
+
+PastScans RecentScans::past(double now) const {
+  PastScans past;
+  past.least_free = options_.least_free;
+  for (const Scan& scan : scans_) {
+    if (now - scan.view.scan().time >= options_.lasting)
+      past.old |= ScanBits{1} << past.times.size();
+    past.times.push_back(scan.view.scan().time);
+  }
+  return past;
+}
+
+SeenBefore PastScans::verdict(const PlaceBefore& place, ScanBits without) const {
+  if (place.rides_along) return SeenBefore::same;
+  const int free_scans = std::popcount(place.free & ~without);
+  const int same_scans = std::popcount(place.same & ~without);
+  const bool stood = (place.same & ~without & old) != 0;
+  const bool was_free = free_scans >= least_free;
+  if (stood || (same_scans > 0 && same_scans >= free_scans)) {
+    return was_free && 2 * free_scans >= same_scans ? SeenBefore::mixed : SeenBefore::same;
+  }
+  return was_free ? SeenBefore::free : SeenBefore::nothing;
 }
 
 }  // namespace mapbed

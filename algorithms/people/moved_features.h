@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <vector>
 
@@ -16,7 +17,27 @@ namespace mapbed {
 enum class SeenBefore {
   nothing,  // they did not see the place, or not often enough
   free,     // they saw through it: what stands there now came from elsewhere
+  mixed,    // both, at different times: glass, or somebody who walks to and fro
   same,     // something stood there already
+};
+
+using ScanBits = std::uint64_t;  // one for each past scan that is compared with, the oldest first
+
+// What each of them saw at a place.
+struct PlaceBefore {
+  ScanBits free = 0;
+  ScanBits same = 0;
+  bool rides_along = false;  // with the robot, as a part of it
+};
+
+// The past scans themselves.
+struct PastScans {
+  std::vector<double> times;  // [s]
+  ScanBits old = 0;           // longer ago than somebody who walks stays where he is
+  int least_free = 2;
+
+  // Without what the scans of some bits say. What rides along with the robot was there before too.
+  SeenBefore verdict(const PlaceBefore& place, ScanBits without = 0) const;
 };
 
 // What a scan sees at a point of its robot's frame where a thing of `radius` [m] may stand, up to
@@ -36,15 +57,15 @@ struct RecentScansOptions {
 
 template <class Visitor>
 void visit_fields(RecentScansOptions& o, Visitor&& visit) {
-  visit("scans", o.scans, between(1, 1000), "of the past that are compared with");
+  visit("scans", o.scans, between(1, 64), "of the past that are compared with");
   visit("spacing", o.spacing, Unit::second, between(0.0, 60.0), "between two of them at least");
   visit("tolerance", o.tolerance, Unit::meter, between(0.01, 2.0),
         "of a range; a beam saw through a place if it ended farther behind it");
   visit("least_free", o.least_free, between(1, 1000),
         "scans that saw through the place of a feature that moved");
   visit("lasting", o.lasting, Unit::second, between(0.0, 600.0),
-        "ago, in which a single scan that saw something there tells that it did not move: glass is "
-        "seen at times and seen through at others");
+        "ago, before which a scan that saw something there tells that it may not have moved: glass "
+        "is seen at times and seen through at others");
 }
 
 // The difference of consecutive, scan-matched local grids (Figure 3.2), looked up at features: a
@@ -56,13 +77,13 @@ class RecentScans {
   // Beams of people that are followed say nothing about the place: who stops stays a person.
   void add(ScanView view, const Pose2& local_from_robot, std::vector<bool> on_people);
 
-  // A feature of the scan that comes next. What stays where it is in the robot's frame while that
-  // moves is a part of the robot: it was there before too.
-  SeenBefore seen_before(const LegFeature& feature, double now, const Pose2& local_from_robot,
-                         double radius) const;
+  // Of a feature of the scan that comes next. What stays where it is in the robot's frame while
+  // that moves is a part of the robot.
+  PlaceBefore before(const LegFeature& feature, const Pose2& local_from_robot, double radius) const;
   // The same of any point of the robot's frame, where neighbouring beams are `spacing` [m] apart.
-  SeenBefore seen_before(const Eigen::Vector2d& point_in_robot, double spacing, double now,
-                         const Pose2& local_from_robot, double radius) const;
+  PlaceBefore before(const Eigen::Vector2d& point_in_robot, double spacing,
+                     const Pose2& local_from_robot, double radius) const;
+  PastScans past(double now) const;
 
  private:
   struct Scan {

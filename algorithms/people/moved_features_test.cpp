@@ -13,6 +13,11 @@ using ::testing::SizeIs;
 
 constexpr double kRadius = 0.07;
 
+// Of three past scans.
+const PastScans kPast{.times = {0.0, 0.5, 1.0}, .old = 0b111, .least_free = 2};
+constexpr PlaceBefore kFree{.free = 0b111};
+constexpr PlaceBefore kSame{.same = 0b111};
+
 LaserScan scan_with(const std::vector<Eigen::Vector2d>& legs, double time, const Pose2& pose = {}) {
   TestRoom room = rectangular_room(12.0, 10.0);
   for (const Eigen::Vector2d& leg : legs) add_leg(room, leg);
@@ -31,7 +36,7 @@ SeenBefore seen(const std::vector<std::vector<Eigen::Vector2d>>& past, const Eig
   }
   const std::vector<LegFeature> features = leg_features(ScanView(scan_with({now}, time)), {});
   EXPECT_THAT(features, SizeIs(1));
-  return recent.seen_before(features[0], time, {}, kRadius);
+  return recent.past(time).verdict(recent.before(features[0], {}, kRadius));
 }
 
 TEST(RecentScans, TellWhatMovedFromWhatStoodThere) {
@@ -46,9 +51,19 @@ TEST(RecentScans, KnowNothingOfWhatWasHidden) {
   EXPECT_EQ(seen({}, {3.0, 1.0}), SeenBefore::nothing);
 }
 
-TEST(RecentScans, GlassThatIsSeenAtTimesDidNotMove) {
+TEST(RecentScans, TellWhatIsSeenAtTimesFromWhatMoved) {
   const Eigen::Vector2d here(3.0, 1.0);
-  EXPECT_EQ(seen({{}, {here}, {}, {}, {}}, here), SeenBefore::same);
+  EXPECT_EQ(seen({{}, {here}, {}, {}, {}}, here), SeenBefore::mixed);
+  EXPECT_EQ(seen({{here}, {here}, {here}, {here}, {}}, here), SeenBefore::same);
+}
+
+TEST(PastScans, LeaveOutWhatIsNotAsked) {
+  const PastScans past{.times = {0.0, 0.5, 1.0, 1.5, 2.0}, .old = 0b00111, .least_free = 2};
+  const PlaceBefore place{.free = 0b00011, .same = 0b11100};
+  EXPECT_EQ(past.verdict(place), SeenBefore::mixed);
+  EXPECT_EQ(past.verdict(place, 0b11100), SeenBefore::free);
+  EXPECT_EQ(past.verdict(place, 0b00011), SeenBefore::same);
+  EXPECT_EQ(past.verdict(place, 0b11111), SeenBefore::nothing);
 }
 
 TEST(RecentScans, BeamsOnPeopleSayNothingOfThePlace) {
@@ -62,7 +77,7 @@ TEST(RecentScans, BeamsOnPeopleSayNothingOfThePlace) {
   }
   const std::vector<LegFeature> features = leg_features(ScanView(scan_with({here}, 2.0)), {});
   ASSERT_THAT(features, SizeIs(1));
-  EXPECT_EQ(recent.seen_before(features[0], 2.0, {}, kRadius), SeenBefore::nothing);
+  EXPECT_EQ(recent.past(2.0).verdict(recent.before(features[0], {}, kRadius)), SeenBefore::nothing);
 }
 
 TEST(RecentScans, APartOfTheRobotDidNotMoveThoughItsPlaceIsNew) {
@@ -75,7 +90,8 @@ TEST(RecentScans, APartOfTheRobotDidNotMoveThoughItsPlaceIsNew) {
     features = leg_features(view, {});
     ASSERT_THAT(features, SizeIs(1));
     if (k == 5) {
-      EXPECT_EQ(recent.seen_before(features[0], 2.5, pose, kRadius), SeenBefore::same);
+      EXPECT_EQ(recent.past(2.5).verdict(recent.before(features[0], pose, kRadius)),
+                SeenBefore::same);
     }
     recent.add(view, pose, std::vector<bool>(view.scan().ranges.size(), false));
   }
@@ -87,7 +103,7 @@ TEST(Sightings, LegsThatAreEachOthersNearestAreOnePerson) {
   ASSERT_THAT(features, SizeIs(3));
   const Pose2 local_from_robot{1.0, 0.0, 0.0};
   const std::vector<Sighting> sightings =
-      sightings_of(features, std::vector<SeenBefore>(3, SeenBefore::free), local_from_robot, {});
+      sightings_of(features, std::vector<PlaceBefore>(3, kFree), kPast, local_from_robot, {});
   ASSERT_THAT(sightings, SizeIs(2));
   EXPECT_THAT(sightings[0].features, SizeIs(2));
   EXPECT_LT((sightings[0].position - Eigen::Vector2d(4.0, 0.0)).norm(), 0.05);
@@ -98,7 +114,7 @@ TEST(Sightings, AColumnBesideALegIsNotThePersonsOther) {
   const std::vector<LegFeature> features =
       leg_features(ScanView(scan_with({{3.0, 0.15}, {3.0, -0.15}}, 0.0)), {});
   ASSERT_THAT(features, SizeIs(2));
-  EXPECT_THAT(sightings_of(features, {SeenBefore::free, SeenBefore::same}, {}, {}), SizeIs(2));
+  EXPECT_THAT(sightings_of(features, {kFree, kSame}, kPast, {}, {}), SizeIs(2));
 }
 
 }  // namespace

@@ -6,23 +6,23 @@ namespace mapbed {
 
 void find_sightings(ScanSightings& scan, const RecentScans& before,
                     const PeopleFrontEndOptions& options) {
-  scan.before.clear();
+  scan.places.clear();
   for (const LegFeature& feature : scan.features) {
-    scan.before.push_back(
-        before.seen_before(feature, scan.time(), scan.local_from_robot, options.features.radius));
+    scan.places.push_back(before.before(feature, scan.local_from_robot, options.features.radius));
   }
+  scan.past = before.past(scan.time());
   scan.sightings =
-      sightings_of(scan.features, scan.before, scan.local_from_robot, options.sightings);
+      sightings_of(scan.features, scan.places, scan.past, scan.local_from_robot, options.sightings);
 }
 
 ScanSightings mirrored_in_time(const ScanSightings& scan) {
   LaserScan readings = scan.view.scan();
   readings.time = -readings.time;
-  return {ScanView(std::move(readings)), scan.local_from_robot, scan.features, {}, {}};
+  return {ScanView(std::move(readings)), scan.local_from_robot, scan.features, {}, {}, {}};
 }
 
 ScanSightings PeopleFrontEnd::add(const LaserScan& scan, std::span<const float> beam_weights) {
-  ScanSightings result{ScanView(scan), frame_.add(scan, beam_weights), {}, {}, {}};
+  ScanSightings result{ScanView(scan), frame_.add(scan, beam_weights), {}, {}, {}, {}};
   result.features = leg_features(result.view, options_.features);
   find_sightings(result, recent_, options_);
   return result;

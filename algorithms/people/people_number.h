@@ -17,6 +17,7 @@ class FeatureNumbers {
 
   double probability(int features, int people) const;
   int max_people() const { return static_cast<int>(rows_.size()) - 1; }
+  int max_features() const { return static_cast<int>(rows_.back().size()) - 1; }
 
  private:
   std::vector<std::vector<double>> rows_;

@@ -5,7 +5,6 @@
 #include "algorithms/people/leg_features.h"
 #include "algorithms/people/scan_view.h"
 #include "algorithms/people/sightings.h"
-#include "algorithms/people/track_life.h"
 #include "core/geometry/pose2.h"
 
 namespace mapbed {
@@ -15,7 +14,8 @@ struct ScanSightings {
   ScanView view;
   Pose2 local_from_robot;
   std::vector<LegFeature> features;
-  std::vector<SeenBefore> before;  // of each feature
+  std::vector<PlaceBefore> places;  // of each feature
+  PastScans past;                   // that these are by
   std::vector<Sighting> sightings;
 
   double time() const { return view.scan().time; }
@@ -28,14 +28,5 @@ struct ScanSightings {
     return seen_at(view, inverse(local_from_robot) * place, kRadius, kAside, kTolerance);
   }
 };
-
-// Of somebody who is seen for the first time.
-inline Sighted first_of(const ScanSightings& scan, const Sighting& sighting) {
-  return {.is_seen = true,
-          .before = sighting.before,
-          .at_start = SeenBefore::same,
-          .position = sighting.position,
-          .from_robot = inverse(scan.local_from_robot) * sighting.position};
-}
 
 }  // namespace mapbed

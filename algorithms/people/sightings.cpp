@@ -20,19 +20,32 @@ double sigma_at(double sigma, const LegFeature& feature) {
   return std::hypot(sigma, feature.spacing / std::sqrt(12.0));
 }
 
-Sighting single(const LegFeature& feature, SeenBefore before, const Pose2& local_from_robot,
-                const SightingOptions& options) {
+Sighting single(const LegFeature& feature, SeenBefore before, const PlaceBefore& place,
+                const Pose2& local_from_robot, const SightingOptions& options) {
   const double sigma = feature.is_wide ? options.pair_sigma : options.single_sigma;
-  return {
-      local_from_robot * feature.position, sigma_at(sigma, feature), feature.quality, before, {}};
+  return {local_from_robot * feature.position,
+          sigma_at(sigma, feature),
+          feature.quality,
+          before,
+          place,
+          {}};
+}
+
+// Both legs stood there already, or one of them, and the other's place was not seen to be free.
+PlaceBefore both(const PlaceBefore& a, const PlaceBefore& b) {
+  const ScanBits free = a.free | b.free;
+  const ScanBits same = (a.same & b.same) | ((a.same | b.same) & ~free);
+  return {free & ~same, same, a.rides_along && b.rides_along};
 }
 
 }  // namespace
 
 std::vector<Sighting> sightings_of(const std::vector<LegFeature>& features,
-                                   const std::vector<SeenBefore>& before,
+                                   const std::vector<PlaceBefore>& places, const PastScans& past,
                                    const Pose2& local_from_robot, const SightingOptions& options) {
-  CHECK(features.size() == before.size());
+  CHECK(features.size() == places.size());
+  std::vector<SeenBefore> before;
+  for (const PlaceBefore& place : places) before.push_back(past.verdict(place));
   const auto nearest_to = [&](std::size_t i) {
     std::optional<std::size_t> nearest;
     double least = HUGE_VAL;
@@ -53,7 +66,7 @@ std::vector<Sighting> sightings_of(const std::vector<LegFeature>& features,
   for (std::size_t i = 0; i < features.size(); ++i) {
     const bool is_pair = nearest[i] && nearest[*nearest[i]] == i;
     if (is_pair && *nearest[i] < i) continue;  // it stands there already
-    Sighting sighting = single(features[i], before[i], local_from_robot, options);
+    Sighting sighting = single(features[i], before[i], places[i], local_from_robot, options);
     sighting.features = {i};
     if (is_pair) {
       const LegFeature& other = features[*nearest[i]];
@@ -61,7 +74,8 @@ std::vector<Sighting> sightings_of(const std::vector<LegFeature>& features,
           local_from_robot * Eigen::Vector2d(0.5 * (features[i].position + other.position));
       sighting.sigma = sigma_at(options.pair_sigma, other);
       sighting.quality = std::max(sighting.quality, other.quality);
-      if (before[*nearest[i]] == SeenBefore::free) sighting.before = SeenBefore::free;
+      sighting.place = both(places[i], places[*nearest[i]]);
+      sighting.before = past.verdict(sighting.place);
       sighting.features.push_back(*nearest[i]);
     }
     sightings.push_back(std::move(sighting));

@@ -32,6 +32,7 @@ struct Sighting {
   double sigma = 0.0;                                  // [m] about where the person is
   double quality = 0.0;                                // of its better leg
   SeenBefore before = SeenBefore::nothing;
+  PlaceBefore place;                  // what past scans saw there
   std::vector<std::size_t> features;  // one or two
 
   bool moved() const { return before == SeenBefore::free; }
@@ -41,7 +42,7 @@ struct Sighting {
 // Legs that are each other's nearest are a pair, unless the place of one of them alone was not free
 // before: a column next to a leg.
 std::vector<Sighting> sightings_of(const std::vector<LegFeature>& features,
-                                   const std::vector<SeenBefore>& before,
+                                   const std::vector<PlaceBefore>& places, const PastScans& past,
                                    const Pose2& local_from_robot, const SightingOptions& options);
 
 }  // namespace mapbed

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/people/learned_people.h"
 #include "algorithms/people/occlusion.h"
 #include "core/check.h"
 
@@ -15,6 +16,9 @@ namespace {
 constexpr std::size_t kHiddenSamples = 16;  // at which it is looked whether somebody is hidden
 constexpr double kApart = 0.45;             // [m] of a new person from those who are followed
 constexpr double kLeastMissed = 1e-3;
+constexpr double kNegligible =
+    0.01;  // of the events without a pair, those with it, if it is left out
+constexpr double kLookedFor = 0.05;  // probability of being missed, from which it matters where
 
 double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -30,7 +34,7 @@ Eigen::VectorXd explained(const JointAssociation& association) {
 SjpdafTracker::SjpdafTracker(const SjpdafOptions& options, Rng rng)
     : options_(options),
       rng_(rng),
-      number_(FeatureNumbers::closed_form(options.detection, options.clutter, options.max_people),
+      number_(learned_feature_numbers(options.detection, options.clutter, options.max_people),
               options.number) {}
 
 void SjpdafTracker::predict(double time) {
@@ -45,6 +49,7 @@ void SjpdafTracker::predict(double time) {
 }
 
 void SjpdafTracker::update(const ScanSightings& scan) {
+  for (Filter& filter : filters_) filter.life.recall(scan.past);
   find_hidden(scan);
   const Likelihoods likelihoods = this->likelihoods(scan);
   const JointAssociation association = associated(scan, likelihoods);
@@ -98,12 +103,37 @@ JointAssociation SjpdafTracker::associated(const ScanSightings& scan,
     // A feature that is there shows that he is not hidden after all.
     detected.row(i) *= std::max(seen, 0.5 * options_.detection);
   }
-  Eigen::VectorXd p_fa(detected.cols());
+  // What stood there before is likelier a false alarm, but where it was he himself who stood there:
+  // by the ratio of both, a feature has the one density of false alarms of (3.2).
   for (Eigen::Index j = 0; j < detected.cols(); ++j) {
-    const bool of_place = scan.sightings[static_cast<std::size_t>(j)].before == SeenBefore::same;
-    p_fa(j) = of_place ? options_.place_false_alarms : options_.false_alarms;
+    const Sighting& sighting = scan.sightings[static_cast<std::size_t>(j)];
+    for (Eigen::Index i = 0; i < detected.rows(); ++i) {
+      if (detected(i, j) <= 0.0) continue;
+      const TrackLife& life = filters_[static_cast<std::size_t>(i)].life;
+      if (life.before(scan.past, sighting) == SeenBefore::same) {
+        detected(i, j) *= options_.false_alarms / options_.place_false_alarms;
+      }
+      if (detected(i, j) < kNegligible * options_.false_alarms * missed(i)) detected(i, j) = 0.0;
+    }
   }
+  const Eigen::VectorXd p_fa = Eigen::VectorXd::Constant(detected.cols(), options_.false_alarms);
   return associate(detected, missed, p_fa, options_.association);
+}
+
+// How likely nobody is seen where each sample is, by the occlusion map, over the mean of that: who
+// is not seen is likelier where nobody could see him.
+std::vector<double> SjpdafTracker::weights_of_missed(const ScanSightings& scan,
+                                                     const PersonParticles& samples) const {
+  const Pose2 robot_from_local = inverse(scan.local_from_robot);
+  std::vector<double> weights(samples.size());
+  for (std::size_t n = 0; n < weights.size(); ++n) {
+    const double hidden =
+        hidden_probability(scan.view, robot_from_local * samples.sample(n), options_.body_radius);
+    weights[n] = std::max(1.0 - options_.detection * (1.0 - hidden), kLeastMissed);
+  }
+  const double mean = mean_of(weights);
+  for (double& weight : weights) weight /= mean;
+  return weights;
 }
 
 // (3.4), with the posterior of each assignment normalised before they are mixed: printed without,
@@ -113,7 +143,10 @@ void SjpdafTracker::correct(const ScanSightings& scan, const Likelihoods& likeli
   for (std::size_t i = 0; i < filters_.size(); ++i) {
     Filter& filter = filters_[i];
     const auto row = static_cast<Eigen::Index>(i);
-    std::vector<double> weights(filter.samples.size(), association.missed(row));
+    const bool is_looked_for = filter.life.is_confirmed() && association.missed(row) >= kLookedFor;
+    std::vector<double> weights = is_looked_for ? weights_of_missed(scan, filter.samples)
+                                                : std::vector<double>(filter.samples.size(), 1.0);
+    for (double& weight : weights) weight *= association.missed(row);
     double sum = 0.0;  // of the weights as they are printed, of the features alone
     for (Eigen::Index j = 0; j < association.gamma.cols(); ++j) {
       const double gamma = association.gamma(row, j);
@@ -128,74 +161,81 @@ void SjpdafTracker::correct(const ScanSightings& scan, const Likelihoods& likeli
     Eigen::Index likeliest = 0;
     const bool is_seen =
         association.missed(row) < 0.5 && association.gamma.row(row).maxCoeff(&likeliest) > 0.0;
-    const SeenBefore before =
-        is_seen ? scan.sightings[static_cast<std::size_t>(likeliest)].before : SeenBefore::nothing;
-    if (association.missed(row) < 1.0) {
+    const Sighting* sighting =
+        is_seen ? &scan.sightings[static_cast<std::size_t>(likeliest)] : nullptr;
+    if (is_looked_for || association.missed(row) < 1.0) {
       for (double& weight : weights) weight /= static_cast<double>(weights.size());
       const auto id = static_cast<std::uint64_t>(filter.life.id());
       filter.samples.resample(weights, rng_.stream("resampling", id, scans_));
     }
-    const Eigen::Vector2d position = filter.samples.position();
-    filter.life.update(scan.time(),
-                       {is_seen, before, filter.hidden, scan.at(filter.life.start()), position,
-                        inverse(scan.local_from_robot) * position},
-                       options_.life);
+    filter.life.update(scan, sighting, filter.hidden, filter.samples.position(), options_.life);
   }
 }
 
+// How many people are in view, by (3.5): features count that moved, or that are those of people.
+// While more are followed, those go of whom (3.6) says the least. Whom that leaves unexplained may
+// be somebody new: a filter for each, as only later scans tell which of them is.
 void SjpdafTracker::adapt_number(const ScanSightings& scan, const JointAssociation& association) {
+  Eigen::VectorXd people(association.gamma.rows());
+  for (Eigen::Index i = 0; i < people.size(); ++i) {
+    people(i) = filters_[static_cast<std::size_t>(i)].life.probability();
+  }
   const Eigen::VectorXd explained = mapbed::explained(association);
+  const Eigen::VectorXd of_people = association.gamma.transpose() * people;
   int features = 0;
   std::vector<const Sighting*> unexplained;  // that may be somebody new
   for (std::size_t j = 0; j < scan.sightings.size(); ++j) {
     const Sighting& sighting = scan.sightings[j];
-    const double share = filters_.empty() ? 0.0 : explained(static_cast<Eigen::Index>(j));
-    if (share >= 0.5 || sighting.moved()) ++features;
-    if (share < 0.5 && sighting.may_be_new()) unexplained.push_back(&sighting);
+    const auto column = static_cast<Eigen::Index>(j);
+    if (sighting.moved() || of_people(column) >= 0.5) ++features;
+    if (explained(column) < 0.5 && sighting.may_be_new()) unexplained.push_back(&sighting);
   }
   number_.add(features, seconds_);
   std::erase_if(filters_, [&](const Filter& filter) {
     return filter.life.is_over(scan.time(), filter.samples.spread(), options_.life);
   });
-  const auto in_view = [](const Filter& filter) {
-    return filter.life.is_seen() || filter.hidden < 0.5;
+  remove_most_doubtful();
+  begin_at(scan, std::move(unexplained));
+}
+
+void SjpdafTracker::remove_most_doubtful() {
+  const auto is_in_view = [](const Filter& filter) {
+    return filter.life.is_confirmed() && (filter.life.is_seen() || filter.hidden < 0.5);
   };
-  auto filters = static_cast<int>(std::count_if(filters_.begin(), filters_.end(), in_view));
-  for (; filters > number_.most_likely(); --filters) {
-    const auto least =
-        std::min_element(filters_.begin(), filters_.end(), [&](const Filter& a, const Filter& b) {
-          if (in_view(a) != in_view(b)) return in_view(a);
-          return a.mean_weight < b.mean_weight;
-        });
-    if (least->life.is_seen()) break;  // all of them are seen
+  auto people = std::count_if(filters_.begin(), filters_.end(), is_in_view);
+  for (; people > number_.most_likely(); --people) {
+    auto least = filters_.end();
+    for (auto filter = filters_.begin(); filter != filters_.end(); ++filter) {
+      const bool is_doubtful =
+          is_in_view(*filter) && !filter->life.is_seen() && filter->life.is_missed(options_.life);
+      if (!is_doubtful) continue;
+      if (least == filters_.end() || filter->mean_weight < least->mean_weight) least = filter;
+    }
+    if (least == filters_.end()) return;
     filters_.erase(least);
-  }
-  std::stable_sort(unexplained.begin(), unexplained.end(),
-                   [](const Sighting* a, const Sighting* b) {
-                     if (a->moved() != b->moved()) return a->moved();
-                     return a->quality > b->quality;
-                   });
-  for (const Sighting* sighting : unexplained) {
-    if (filters >= number_.most_likely()) break;
-    const bool is_near = std::any_of(filters_.begin(), filters_.end(), [&](const Filter& filter) {
-      return filter.life.is_seen() &&
-             (filter.samples.position() - sighting->position).norm() < kApart;
-    });
-    if (is_near) continue;
-    begin_at(scan, *sighting);
-    ++filters;
   }
 }
 
 // A new filter is uniform over the view and leaves it to later updates which feature is its own.
 // Its posterior after the first one is what is drawn here: one unexplained feature has it.
-void SjpdafTracker::begin_at(const ScanSightings& scan, const Sighting& sighting) {
-  const int id = next_id_++;
-  const auto stream = static_cast<std::uint64_t>(id);
-  filters_.push_back(
-      {PersonParticles(static_cast<std::size_t>(options_.particles), sighting.position,
-                       sighting.sigma, options_.motion, rng_.stream("start", stream)),
-       TrackLife(id, scan.time(), first_of(scan, sighting))});
+void SjpdafTracker::begin_at(const ScanSightings& scan, std::vector<const Sighting*> sightings) {
+  std::stable_sort(sightings.begin(), sightings.end(), [](const Sighting* a, const Sighting* b) {
+    if (a->moved() != b->moved()) return a->moved();
+    return a->quality > b->quality;
+  });
+  for (const Sighting* sighting : sightings) {
+    if (static_cast<int>(filters_.size()) >= options_.max_filters) return;
+    const bool is_near = std::any_of(filters_.begin(), filters_.end(), [&](const Filter& filter) {
+      return filter.life.is_seen() &&
+             (filter.samples.position() - sighting->position).norm() < kApart;
+    });
+    if (is_near) continue;
+    const int id = next_id_++;
+    filters_.push_back({PersonParticles(static_cast<std::size_t>(options_.particles),
+                                        sighting->position, sighting->sigma, options_.motion,
+                                        rng_.stream("start", static_cast<std::uint64_t>(id))),
+                        TrackLife(id, scan.time(), sighting->position, options_.life)});
+  }
 }
 
 std::vector<FollowedPerson> SjpdafTracker::people() const {

@@ -16,7 +16,7 @@ namespace mapbed {
 
 struct SjpdafOptions {
   int particles = 200;
-  double detection = 0.8;
+  double detection = 0.9;
   double false_alarms = 0.02;        // [1/m^2]
   double place_false_alarms = 15.0;  // [1/m^2]
   double gate = 3.0;
@@ -24,6 +24,7 @@ struct SjpdafOptions {
   double body_radius = 0.15;  // [m]
   double clutter = 0.05;
   int max_people = 40;
+  int max_filters = 100;
   JointAssociationOptions association;
   PersonMotionOptions motion;
   PeopleNumberOptions number;
@@ -46,6 +47,8 @@ void visit_fields(SjpdafOptions& o, Visitor&& visit) {
         "of a person, of whom the scan may see a part");
   visit("clutter", o.clutter, between(0.0, 100.0), "false alarms of a scan, in P(m|N) of (3.5)");
   visit("max_people", o.max_people, between(1, 200), "in view, in P(m|N)");
+  visit("max_filters", o.max_filters, between(1, 10'000),
+        "of people and of what may turn out to be one");
   visit("association", o.association, "which feature is whose");
   visit("motion", o.motion, "how people walk");
   visit("number", o.number, "how the number of people changes");
@@ -87,10 +90,13 @@ class SjpdafTracker {
   void find_hidden(const ScanSightings& scan);
   Likelihoods likelihoods(const ScanSightings& scan) const;
   JointAssociation associated(const ScanSightings& scan, const Likelihoods& likelihoods) const;
+  std::vector<double> weights_of_missed(const ScanSightings& scan,
+                                        const PersonParticles& samples) const;
   void correct(const ScanSightings& scan, const Likelihoods& likelihoods,
                const JointAssociation& association);
   void adapt_number(const ScanSightings& scan, const JointAssociation& association);
-  void begin_at(const ScanSightings& scan, const Sighting& sighting);
+  void remove_most_doubtful();
+  void begin_at(const ScanSightings& scan, std::vector<const Sighting*> sightings);
 
   SjpdafOptions options_;
   Rng rng_;

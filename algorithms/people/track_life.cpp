@@ -1,64 +1,125 @@
 #include "algorithms/people/track_life.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace mapbed {
 namespace {
 
 constexpr double kSeenAgain = 0.5;  // of the time in which somebody is seen makes up for the other
+constexpr double kHimself = 0.5;    // [m] from where he was: what stood there was he
+constexpr double kAway = 0.5;       // [m] from where he was: he left that place
+constexpr double kWay = 6.0;        // [s] that his way is known
+constexpr double kTick = 0.09;      // [s] between moments of it
+constexpr double kSameTime = 0.3;   // [s] of a past scan and a moment of his way
+constexpr double kNewPlace = 0.3;   // [m] from the place of the step before
+constexpr double kJump = 0.15;      // [m] from where he is held to be to where he is sighted
+constexpr double kMostOdds = 9.0;   // in logarithms: a person may turn out to be none in the end
+
+double log_odds_of(double probability) {
+  return std::log(probability / (1.0 - probability));
+}
 
 }  // namespace
 
-void TrackLife::add_evidence(SeenBefore before) {
-  if (before == SeenBefore::free) free_ += 1.0;
-  if (before != SeenBefore::same) not_same_ += before == SeenBefore::free ? 1.0 : 0.5;
-}
-
-TrackLife::TrackLife(int id, double time, const Sighted& first)
+TrackLife::TrackLife(int id, double time, const Eigen::Vector2d& position,
+                     const TrackLifeOptions& options)
     : id_(id),
-      first_seen_(time),
       last_seen_(time),
       last_update_(time),
-      first_(first),
-      position_(first.position) {
-  add_evidence(first.before);
-}
+      log_odds_(log_odds_of(options.prior)),
+      start_(position),
+      way_{{time, position}},
+      place_(position) {}
 
-void TrackLife::update(double time, const Sighted& sighted, const TrackLifeOptions& options) {
-  path_ += (sighted.position - position_).norm();
-  position_ = sighted.position;
-  is_seen_ = sighted.is_seen;
-  if (is_seen_) {
-    add_evidence(sighted.before);
-    last_seen_ = time;
-    in_view_ = std::max(0.0, in_view_ - kSeenAgain * (time - last_update_));
-    seen_time_ += time - last_update_;
-    const bool lasted = time - first_seen_ >= options.confirm_time - 1e-6;
-    const bool came = free_ >= options.confirm_scans;
-    const bool left = sighted.at_start == SeenBefore::free && not_same_ >= options.confirm_scans;
-    const bool is_alone = (sighted.from_robot - first_.from_robot).norm() >= options.confirm_robot;
-    const bool is_steady = seen_time_ >= options.steadiness * (time - first_seen_);
-    const bool is_somebody = lasted && is_steady && (came || left) && is_alone &&
-                             has_moved(options) && sighted.at_start != SeenBefore::same;
-    is_confirmed_ = is_confirmed_ || is_somebody;
-  } else {
-    in_view_ += (1.0 - sighted.hidden) * (time - last_update_);
+void TrackLife::recall(const PastScans& past) {
+  then_.assign(past.times.size(), Eigen::Vector2d::Constant(std::nan("")));
+  auto place = way_.begin();
+  for (std::size_t i = 0; i < past.times.size(); ++i) {
+    const double time = past.times[i];
+    while (place != way_.end() && place->time < time - 1e-6) ++place;
+    const auto nearest = place == way_.end() ? way_.end() - 1 : place;
+    if (std::abs(nearest->time - time) <= kSameTime) then_[i] = nearest->position;
   }
-  last_update_ = time;
 }
 
-bool TrackLife::has_moved(const TrackLifeOptions& options) const {
-  const double away = (position_ - first_.position).norm();
-  return away >= options.confirm_travel && away >= options.straightness * path_;
+SeenBefore TrackLife::before(const PastScans& past, const Sighting& sighting) const {
+  ScanBits himself = 0;
+  for (std::size_t i = 0; i < then_.size(); ++i) {
+    if ((then_[i] - sighting.position).norm() < kHimself) himself |= ScanBits{1} << i;
+  }
+  return past.verdict(sighting.place, himself);
+}
+
+Evidence::Left TrackLife::left(const ScanSightings& scan) const {
+  const Eigen::Vector2d& now = way_.back().position;
+  const Place* farthest = nullptr;
+  double most = kAway;
+  for (const Place& place : way_) {
+    const double away = (place.position - now).norm();
+    if (away < most) continue;
+    farthest = &place;
+    most = away;
+  }
+  if (farthest == nullptr) return Evidence::Left::nowhere;
+  const SeenBefore there = scan.at(farthest->position);
+  if (there == SeenBefore::nothing) return Evidence::Left::unknown;
+  return there == SeenBefore::free ? Evidence::Left::free : Evidence::Left::same;
+}
+
+// What the newest scan says that was not said before.
+std::optional<Evidence> TrackLife::evidence(const ScanSightings& scan, const Sighting* sighting,
+                                            const TrackLifeOptions& options) {
+  const bool is_new = sighting != nullptr && (way_.back().position - place_).norm() >= kNewPlace;
+  if (!is_new && since_evidence_ < options.memory) return {};
+  since_evidence_ = 0.0;
+  const bool was_steady = std::exchange(is_steady_, true);
+  if (sighting == nullptr) return Evidence{.kind = Evidence::Kind::missed};
+  const SeenBefore before = this->before(scan.past, *sighting);
+  if (!is_new) return Evidence{.kind = Evidence::Kind::stay, .before = before};
+  place_ = way_.back().position;
+  return Evidence{
+      .kind = Evidence::Kind::step, .before = before, .left = left(scan), .is_steady = was_steady};
+}
+
+void TrackLife::update(const ScanSightings& scan, const Sighting* sighting, double hidden,
+                       const Eigen::Vector2d& position, const TrackLifeOptions& options) {
+  const double seconds = std::max(0.0, scan.time() - last_update_);
+  last_update_ = scan.time();
+  is_seen_ = sighting != nullptr;
+  if (scan.time() - way_.back().time >= kTick) {
+    way_.push_back({scan.time(), position});
+    while (scan.time() - way_.front().time > kWay) way_.pop_front();
+  }
+  since_evidence_ += is_seen_ ? seconds : (1.0 - hidden) * seconds;
+  in_view_ = is_seen_ ? std::max(0.0, in_view_ - kSeenAgain * seconds)
+                      : in_view_ + (1.0 - hidden) * seconds;
+  if (is_seen_) {
+    is_steady_ = is_steady_ && (position - sighting->position).norm() < kJump;
+  } else {
+    is_steady_ = is_steady_ && hidden > 0.5;
+  }
+  const std::optional<Evidence> found = evidence(scan, sighting, options);
+  // Who counts as a person stays one while he stands.
+  const bool stands = is_confirmed_ && found && found->kind == Evidence::Kind::stay &&
+                      found->before != SeenBefore::same;
+  if (found && !stands) log_odds_ = std::min(kMostOdds, log_odds_ + found->log_ratio());
+  if (!is_seen_) return;
+  last_seen_ = scan.time();
+  const bool went = (position - start_).norm() >= options.confirm_travel;
+  is_confirmed_ = is_confirmed_ || (went && probability() >= options.confirm);
+}
+
+double TrackLife::probability() const {
+  return 1.0 / (1.0 + std::exp(-log_odds_));
 }
 
 bool TrackLife::is_over(double time, double spread, const TrackLifeOptions& options) const {
   const double unseen = time - last_seen_;
-  if (!is_confirmed_) {
-    return unseen > options.forget_new || time - first_seen_ > options.confirm_within;
-  }
-  return in_view_ > options.forget_in_view || unseen > options.forget_hidden ||
-         spread > options.most_spread;
+  if (probability() < options.give_up || unseen > options.forget_hidden) return true;
+  if (!is_confirmed_) return in_view_ > options.forget_new;
+  return in_view_ > options.forget_in_view || spread > options.most_spread;
 }
 
 }  // namespace mapbed

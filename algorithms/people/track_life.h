@@ -1,22 +1,25 @@
 #pragma once
 
+#include <deque>
+#include <optional>
+#include <vector>
+
 #include <Eigen/Core>
 
-#include "algorithms/people/sightings.h"
+#include "algorithms/people/learned_people.h"
+#include "algorithms/people/scan_sightings.h"
 #include "core/config/option.h"
 
 namespace mapbed {
 
 // When what is followed is somebody, and when he is given up: the same for every tracker.
 struct TrackLifeOptions {
-  double confirm_time = 0.8;  // [s]
-  double confirm_scans = 4.0;
-  double confirm_travel = 0.5;  // [m]
-  double confirm_robot = 0.2;   // [m]
-  double straightness = 0.6;
-  double steadiness = 0.75;
-  double confirm_within = 4.0;  // [s]
-  double forget_new = 0.25;     // [s]
+  double prior = 0.06;
+  double memory = 1.2;  // [s]
+  double confirm = 0.99;
+  double confirm_travel = 0.4;  // [m]
+  double give_up = 0.005;
+  double forget_new = 0.5;      // [s]
   double forget_in_view = 0.8;  // [s]
   double forget_hidden = 4.0;   // [s]
   double most_spread = 1.5;     // [m]
@@ -24,23 +27,20 @@ struct TrackLifeOptions {
 
 template <class Visitor>
 void visit_fields(TrackLifeOptions& o, Visitor&& visit) {
-  visit("confirm_time", o.confirm_time, Unit::second, between(0.0, 60.0),
-        "from the first scan that saw somebody to the last, before he counts as a person");
-  visit(
-      "confirm_scans", o.confirm_scans, between(0.0, 1000.0),
-      "that saw him where earlier ones saw through, before he counts; where nobody looked before, "
-      "a scan is half of one");
+  visit("prior", o.prior, between(1e-6, 0.999),
+        "probability that what is seen for the first time is a person who walks");
+  visit("memory", o.memory, Unit::second, between(0.001, 60.0),
+        "in which scans say the same again of who does not come to a new place, or is not seen");
+  visit("confirm", o.confirm, between(0.5, 1.0 - 1e-9),
+        "probability of being a person, from which on what is followed counts as one");
   visit("confirm_travel", o.confirm_travel, Unit::meter, between(0.0, 10.0),
         "from where he was first seen, before he counts");
-  visit("confirm_robot", o.confirm_robot, Unit::meter, between(0.0, 10.0),
-        "the same in the robot's frame");
-  visit("straightness", o.straightness, kFraction,
-        "distance from the start over the length of the way, before he counts");
-  visit("steadiness", o.steadiness, kFraction, "of the time in which he is seen, before he counts");
-  visit("confirm_within", o.confirm_within, Unit::second, between(0.0, 600.0),
-        "of what does not count by then, it is given up");
-  visit("forget_new", o.forget_new, Unit::second, between(0.0, 60.0),
-        "without being seen, after which what does not count yet is given up");
+  visit("give_up", o.give_up, between(1e-9, 0.5),
+        "probability of being a person, below which it is given up");
+  visit(
+      "forget_new", o.forget_new, Unit::second, between(0.0, 60.0),
+      "without being seen although nothing hides it, after which what does not count yet is given "
+      "up");
   visit("forget_in_view", o.forget_in_view, Unit::second, between(0.0, 60.0),
         "without being seen although nothing hides him, after which a person is given up");
   visit("forget_hidden", o.forget_hidden, Unit::second, between(0.0, 600.0),
@@ -59,47 +59,49 @@ struct FollowedPerson {
   bool is_confirmed = false;                             // counts as a person
 };
 
-// What a scan says of somebody.
-struct Sighted {
-  bool is_seen = false;
-  SeenBefore before = SeenBefore::nothing;               // at the place where he is seen
-  double hidden = 0.0;                                   // how likely he could not be seen
-  SeenBefore at_start = SeenBefore::nothing;             // now, where he was first seen
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();    // [m] where he is, in the local frame
-  Eigen::Vector2d from_robot = Eigen::Vector2d::Zero();  // [m] and in the robot's
-};
-
-// From when something is first seen to when it is given up. It counts as a person once it went some
-// way, rather straight and not just along with the robot, of which it would be a part; was seen
-// often enough where nothing stood before; and left the place where it began: what belongs to the
-// place is still there when a track jumps on to the next such thing.
+// From when something is first seen to when it is given up. The probability that it is a person who
+// walks is that of Bayes' rule over all scans, as track-oriented trackers score their hypotheses
+// (Blackman and Popoli, 1999, ch. 6).
 class TrackLife {
  public:
-  TrackLife(int id, double time, const Sighted& first);
+  TrackLife(int id, double time, const Eigen::Vector2d& position, const TrackLifeOptions& options);
 
-  void update(double time, const Sighted& sighted, const TrackLifeOptions& options);
+  // The past scans of a new one, before anything is asked about its sightings.
+  void recall(const PastScans& past);
+  // What stood before where he may be seen now, he himself apart.
+  SeenBefore before(const PastScans& past, const Sighting& sighting) const;
+  // `sighting` null: he is not seen, and was hidden with a probability.
+  void update(const ScanSightings& scan, const Sighting* sighting, double hidden,
+              const Eigen::Vector2d& position, const TrackLifeOptions& options);
 
   int id() const { return id_; }
   bool is_seen() const { return is_seen_; }
   bool is_confirmed() const { return is_confirmed_; }
-  const Eigen::Vector2d& start() const { return first_.position; }
+  double probability() const;
+  // Not seen for a while although nothing hides him.
+  bool is_missed(const TrackLifeOptions& options) const { return in_view_ > options.forget_new; }
   bool is_over(double time, double spread, const TrackLifeOptions& options) const;
 
  private:
-  void add_evidence(SeenBefore before);
-  bool has_moved(const TrackLifeOptions& options) const;
+  struct Place {
+    double time;               // [s]
+    Eigen::Vector2d position;  // [m]
+  };
+  std::optional<Evidence> evidence(const ScanSightings& scan, const Sighting* sighting,
+                                   const TrackLifeOptions& options);
+  Evidence::Left left(const ScanSightings& scan) const;
 
   int id_;
-  double first_seen_;       // [s]
-  double last_seen_;        // [s]
-  double in_view_ = 0.0;    // [s] since he was last seen, weighed by how likely he could be seen
-  double last_update_;      // [s]
-  double seen_time_ = 0.0;  // [s] in which he was seen
-  Sighted first_;
-  Eigen::Vector2d position_;  // [m] the newest one
-  double path_ = 0.0;         // [m] length of the way
-  double free_ = 0.0;         // scans that saw him where earlier ones saw through
-  double not_same_ = 0.0;     // the same, and by half those where nobody looked before
+  double last_seen_;       // [s]
+  double last_update_;     // [s]
+  double in_view_ = 0.0;   // [s] since he was last seen, weighed by how likely he could be
+  double log_odds_;        // of being a person who walks
+  Eigen::Vector2d start_;  // [m]
+  std::deque<Place> way_;  // of the last seconds, the newest at the end
+  std::vector<Eigen::Vector2d> then_;  // [m] where he was at each past scan; NaN: not there yet
+  Eigen::Vector2d place_;              // [m] of the last step
+  double since_evidence_ = 0.0;        // [s]
+  bool is_steady_ = true;              // since then
   bool is_seen_ = true;
   bool is_confirmed_ = false;
 };

@@ -44,6 +44,7 @@ std::vector<End> ends_of(const ScanView& view, const ScanView::Eye& eye,
                          const Pose2& local_from_robot, const RecentScans& past,
                          const ScanSegmentOptions& options) {
   const LaserScan& scan = view.scan();
+  const PastScans scans = past.past(scan.time);
   std::vector<End> ends;
   for (std::size_t i = 0; i < eye.size(); ++i) {
     const std::size_t beam = eye.beam(i);
@@ -51,7 +52,9 @@ std::vector<End> ends_of(const ScanView& view, const ScanView::Eye& eye,
     if (!scan.is_hit(beam) || range > options.max_range) continue;
     End end{i, beam, scan.point_on(beam, range), range, range * eye.step};
     end.before =
-        past.seen_before(end.point, end.spacing, scan.time, local_from_robot, options.radius);
+        scans.verdict(past.before(end.point, end.spacing, local_from_robot, options.radius));
+    // Whoever walks to and fro there is not told from glass here.
+    if (end.before == SeenBefore::mixed) end.before = SeenBefore::same;
     ends.push_back(end);
   }
   doubt_slants(ends);

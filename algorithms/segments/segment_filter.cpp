@@ -60,7 +60,7 @@ std::vector<float> SegmentFilter::add(const LaserScan& scan, std::span<const flo
   tracker_.predict(scan.time);
   std::vector<float> weights = expected_weights(believed);
   for (std::size_t b = 0; b < beam_weights.size(); ++b) weights[b] *= beam_weights[b];
-  scans_.push_back({ScanView(believed), frame_.add(believed, weights), {}, {}, {}});
+  scans_.push_back({ScanView(believed), frame_.add(believed, weights), {}, {}, {}, {}});
   const ScanSightings& now = scans_.back();
   tracker_.update({now.view, now.local_from_robot,
                    segments_of(now.view, now.local_from_robot, recent_, options_.segments)});

@@ -68,6 +68,7 @@ bool SegmentTracker::may_be_of(const Track& track, const ScanSegment& segment,
     case SeenBefore::nothing:
       return off <= besides() && longest_side(found.merged(segment.box)) <=
                                      std::min(longest_side(box) + besides(), may_grow_to(track));
+    case SeenBefore::mixed:
     case SeenBefore::same:
       return track.life.is_confirmed() && box.contains(segment.box);
   }
@@ -127,7 +128,7 @@ void SegmentTracker::add_rest(const Track& track, const SegmentedScan& scan,
 void SegmentTracker::see(Track& track, const SegmentedScan& scan,
                          const std::vector<std::size_t>& segments) {
   const Pose2 robot_from_local = inverse(scan.local_from_robot);
-  Sighted sighted{.is_seen = !segments.empty()};
+  SeenSegment sighted{.is_seen = !segments.empty()};
   sighted.hidden =
       hidden_probability(scan.view, robot_from_local * Eigen::Vector2d(track.state.mean.head<2>()),
                          std::clamp(track.half.minCoeff(), kLeastRadius, kMostRadius));
@@ -177,15 +178,15 @@ void SegmentTracker::begin_tracks(const SegmentedScan& scan, const std::vector<b
     if (beams.size() < static_cast<std::size_t>(options_.least_beams)) continue;
     const Eigen::Vector2d half = box.sizes() / 2.0;
     const Eigen::Vector2d middle = box.center();
-    const Sighted first{.is_seen = true,
-                        .before = SeenBefore::free,
-                        .at_start = SeenBefore::same,
-                        .position = middle,
-                        .from_robot = inverse(scan.local_from_robot) * middle};
+    const SeenSegment first{.is_seen = true,
+                            .before = SeenBefore::free,
+                            .at_start = SeenBefore::same,
+                            .position = middle,
+                            .from_robot = inverse(scan.local_from_robot) * middle};
     tracks_.push_back({ConstantVelocity::at(middle, kSigma + kSigmaOfSide * half.maxCoeff(),
                                             options_.speed_sigma),
-                       TrackLife(next_id_++, scan.view.scan().time, first), half, longest_side(box),
-                       std::move(beams)});
+                       SegmentLife(next_id_++, scan.view.scan().time, first), half,
+                       longest_side(box), std::move(beams)});
   }
 }
 

@@ -9,6 +9,7 @@
 #include "algorithms/people/constant_velocity.h"
 #include "algorithms/people/track_life.h"
 #include "algorithms/segments/scan_segments.h"
+#include "algorithms/segments/segment_life.h"
 #include "core/config/option.h"
 
 namespace mapbed {
@@ -20,7 +21,7 @@ struct SegmentTrackerOptions {
   double join = 0.4;          // [m]
   double largest = 6.0;       // [m]
   int least_beams = 2;
-  TrackLifeOptions life;
+  SegmentLifeOptions life;
 };
 
 template <class Visitor>
@@ -48,8 +49,8 @@ struct SegmentedScan {
 // Things of any kind that move, in the tradition of Wang, Thorpe and Thrun ("Online simultaneous
 // localization and mapping with detection and tracking of moving objects", 2003): segments of a
 // scan where earlier ones saw through are something new, of constant velocity; of what follows each
-// segment belongs to what it is nearest to. It counts once it has moved (TrackLife). Of what it is
-// only its box is known, in the local frame. A thing of which now this side is seen and now that
+// segment belongs to what it is nearest to. It counts once it has moved (SegmentLife). Of what it
+// is only its box is known, in the local frame. A thing of which now this side is seen and now that
 // seems to move a little; two that walk together are one.
 class SegmentTracker {
  public:
@@ -72,7 +73,7 @@ class SegmentTracker {
  private:
   struct Track {
     ConstantVelocity state;
-    TrackLife life;
+    SegmentLife life;
     Eigen::Vector2d half;             // [m] of its box
     double side;                      // [m] the longest, when it began to count or until now
     std::vector<std::size_t> beams;   // of the newest scan

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "algorithms/scan/scans_on_path.h"
 #include "bench/experiments/labels_by_thing.h"
@@ -11,7 +12,6 @@
 #include "bench/metrics/occlusions.h"
 #include "bench/metrics/ospa.h"
 #include "core/image/map_server.h"
-#include "sim/actors/person_body.h"
 #include "sim/recording.h"
 
 namespace mapbed {
@@ -130,19 +130,6 @@ const std::vector<EvaluatedMetric>& evaluated_metrics() {
   return table;
 }
 
-// Beams of a scan on each entity.
-std::map<int, int> beams_on_entities(const LaserScan& scan, const Truth& truth) {
-  std::map<int, int> count;
-  for (const ScanPart& part : parts_of(scan)) {
-    const BeamTruthOfScan* beams = beams_of(truth, part.time, part.laser);
-    if (beams == nullptr) continue;
-    for (const BeamTruth& beam : beams->beams) {
-      if (beam.entity >= 0) ++count[beam.entity];
-    }
-  }
-  return count;
-}
-
 }  // namespace
 
 MovingEvaluator::MovingEvaluator(const TrackingMetricOptions& options,
@@ -206,24 +193,6 @@ double MovingEvaluator::lost() {
                     {.occupied = MapServerThresholds{}.free});
 }
 
-// Who was near the robot. Those whom the scan does not see, and who never move, do not count.
-std::vector<TrueObject> MovingEvaluator::people_near(const LaserScan& scan,
-                                                     const StampedStates& states) const {
-  const Truth& truth = input_.recording->truth;
-  const std::map<int, int> beams = beams_on_entities(scan, truth);
-  std::vector<TrueObject> people;
-  for (const MovingPose& part : states.moving) {
-    const TruthEntity& entity = truth.entities[static_cast<std::size_t>(part.entity)];
-    if (entity.kind != EntityKind::person || part.part != kTrunk) continue;
-    const Eigen::Vector2d position = part.world_from_part.position.head<2>();
-    if ((position - states.world_from_robot.position()).norm() > options_.range) continue;
-    const auto on_him = beams.find(entity.id);
-    const bool is_seen = on_him != beams.end() && on_him->second >= options_.least_beams;
-    people.push_back({entity.id, position, is_seen && causes_->moves(entity.id)});
-  }
-  return people;
-}
-
 // At the stamps of the estimate's poses. Tracks are placed by where they are seen from the robot,
 // so that a path that is wrong on the whole does not count against them.
 TrackingFrames MovingEvaluator::frames_with_all() const {
@@ -243,12 +212,18 @@ TrackingFrames MovingEvaluator::frames_with_all() const {
         const Pose2 world_from_map = states->second->world_from_robot * inverse(map_from_robot);
         TrackingFrame& frame = frames.emplace_back();
         frame.time = scan.time;
-        frame.truth = people_near(scan, *states->second);
+        frame.truth = people_at(scan, *states->second, input_.recording->truth, who_counts());
         for (const TrackedObject& track : tracks_at[scan.time]) {
           frame.tracks.push_back({track.id, world_from_map * track.position});
         }
       });
-  return frames;
+  return by_appearance(std::move(frames), who_counts());
+}
+
+WhoCountsOptions MovingEvaluator::who_counts() const {
+  return {.range = options_.range,
+          .least_beams = options_.least_beams,
+          .longest_absence = options_.longest_occlusion};
 }
 
 const TrackingFrames* MovingEvaluator::all_frames() {

@@ -11,6 +11,7 @@
 #include "bench/metrics/clear_mot.h"
 #include "bench/metrics/label_error.h"
 #include "bench/metrics/tracking_frame.h"
+#include "bench/metrics/who_counts.h"
 #include "bench/results/results.h"
 #include "bench/sources/run_input.h"
 
@@ -31,7 +32,7 @@ void visit_fields(TrackingMetricOptions& o, Visitor&& visit) {
         "of the robot, in which a tracker is to find him");
   visit("least_beams", o.least_beams, between(1, 1000), "of a scan on him, for that");
   visit("longest_occlusion", o.longest_occlusion, Unit::second, kPositive,
-        "that a track is to survive");
+        "that a track is to survive; who was out of view for longer is somebody new");
 }
 
 // What a run says of what moves, against the truth of a simulated recording. A metric is NaN where
@@ -62,7 +63,7 @@ class MovingEvaluator {
   bool has_truth() const;
   const TrackingFrames* all_frames();  // with those who do not count
   TrackingFrames frames_with_all() const;
-  std::vector<TrueObject> people_near(const LaserScan& scan, const StampedStates& states) const;
+  WhoCountsOptions who_counts() const;
 
   TrackingMetricOptions options_;
   const MapOptions& map_options_;

@@ -35,7 +35,7 @@ Occlusions occlusions_in(const TrackingFrames& frames, const OcclusionOptions& o
     for (const TrueObject& object : frame.truth) {
       const auto found = seen.find(object.id);
       if (!object.counts) {
-        if (found != seen.end()) found->second.is_hidden = true;
+        if (found != seen.end() && object.is_hidden) found->second.is_hidden = true;
         continue;
       }
       Seen& of = seen[object.id];

@@ -10,7 +10,7 @@ struct OcclusionOptions {
   double max_distance = 0.5;  // [m] of a match
 };
 
-// A true object that does not count in some frames after it did, and counts again: was it the same
+// A true object that is hidden in some frames after it counted, and counts again: was it the same
 // track before and behind? An occlusion whose object no track had before it began is left out.
 struct Occlusions {
   long all = 0;

@@ -11,8 +11,9 @@ namespace mapbed {
 struct TrueObject {
   int id = 0;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // [m]
-  // False: nobody is asked to find it (hidden, too far away, it never moves), nor blamed for it.
+  // False: nobody is asked to find it (hidden, too far away, it does not move), nor blamed for it.
   bool counts = true;
+  bool is_hidden = false;  // by something nearer; who hides does not count
 };
 
 // Who was held to be there.

@@ -174,7 +174,9 @@ class Occluded : public ::testing::Test {
  protected:
   // Hidden in the frames 3 to 6, [0.3 s, 0.7 s).
   Occluded() : frames_(person_alone()) {
-    for (std::size_t i = 3; i < 7; ++i) frames_[i].truth = {truth_at(1, 0.0, false)};
+    for (std::size_t i = 3; i < 7; ++i) {
+      frames_[i].truth = {{.id = 1, .counts = false, .is_hidden = true}};
+    }
   }
   TrackingFrames frames_;
 };
@@ -193,6 +195,12 @@ TEST_F(Occluded, IsLostToANewTrack) {
   const Occlusions found = occlusions_in(frames_);
   EXPECT_EQ(found.all, 1);
   EXPECT_EQ(found.kept, 0);
+}
+
+TEST_F(Occluded, IsNotWhoIsMerelyOutOfReach) {
+  for (std::size_t i = 3; i < 7; ++i) frames_[i].truth = {truth_at(1, 0.0, false)};
+  add_track(frames_, 7, 0.0, 0, 10);
+  EXPECT_EQ(occlusions_in(frames_).all, 0);
 }
 
 TEST_F(Occluded, IsNotLookedAtWithoutATrackBeforeNorIfItIsLong) {

@@ -37,8 +37,6 @@ class TrueCauses {
   // One for each beam of a scan, also of one that is fused.
   std::vector<BeamCause> of(const LaserScan& scan) const;
 
-  bool moves(int entity) const { return movers_.contains(entity); }  // ever in the recording
-
  private:
   BeamCause of(const BeamTruth& beam, double range) const;
 
