@@ -7,8 +7,8 @@
 namespace mapbed {
 
 struct JointAssociationOptions {
-  int max_events = 2000;
-  int best_events = 200;
+  int max_events = 500;
+  int best_events = 40;
 };
 
 template <class Visitor>

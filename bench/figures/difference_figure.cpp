@@ -81,7 +81,7 @@ RgbImage features_panel(const PeopleMoment& moment, PlanePanel panel) {
   for (std::size_t j = 0; j < moment.found.features.size(); ++j) {
     const Eigen::Vector2d& place = moment.found.features[j].position;
     fill_disc(panel.image(), panel.pixel_of(place), kLeg * panel.pixels_per_meter(),
-              color_of_feature(moment.found.before[j]));
+              color_of_feature(moment.found.past.verdict(moment.found.places[j])));
     panel.draw_ring(place, kLeg, kScanColor, false);
   }
   panel.draw_robot({});
