@@ -9,6 +9,7 @@
 #include "bench/experiments/particle_figures.h"
 #include "bench/experiments/slam_evaluator.h"
 #include "bench/experiments/slam_series.h"
+#include "bench/figures/people_figures.h"
 #include "bench/methods/method_run.h"
 #include "bench/methods/people_filter.h"
 #include "bench/plot/map_picture.h"
@@ -26,7 +27,8 @@ struct SlamOptions {
   InputOptions input;
   double longest = 0.0;           // [s]
   std::vector<double> snapshots;  // [s]
-  double series_step = 10.0;      // [s]
+  std::vector<std::string> people_figures;
+  double series_step = 10.0;  // [s]
   EvaluationOptions evaluation;
   TrackingMetricOptions tracking;
 };
@@ -39,6 +41,9 @@ void visit_fields(SlamOptions& o, Visitor&& visit) {
         "of the log, what comes later is left out; 0: all of it counts");
   visit("snapshots", o.snapshots, Unit::second, kNotNegative,
         "since the log's start: figures of what the particles hold possible, of the first seed");
+  visit("people_figures", o.people_figures,
+        "of moments with people, of the first seed: scan, difference, tracking, weights; see "
+        "'mapbed render --help'");
   visit("series_step", o.series_step, Unit::second, between(0.01, 1e6),
         "between the points of series over the log's time");
   visit_fields(o.evaluation, visit);
@@ -56,6 +61,7 @@ Setup setup_of(Settings settings) {
   const MethodSettings divided = divided_by_method(settings);
   Setup setup;
   apply(divided.own, options_of(setup.options), "slam");
+  for (const std::string& name : setup.options.people_figures) people_figure_by_name(name);
   setup.method = with_people_filter(chosen_method(setup.options.estimator, divided), of_filter);
   return setup;
 }
@@ -187,6 +193,9 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
   }
   if (input.shown && !known_box(evaluator.map()).empty()) {
     outcome.files.push_back(picture_file(input, evaluator));
+    for (ResultFile& figure : files_of_figures(setup.options.people_figures, input)) {
+      outcome.files.push_back(std::move(figure));
+    }
     const Trajectory& path = evaluator.world_from_robot();
     outcome.files.push_back({"trajectories/estimate.tum", tum_text(path)});
     if (input.alone) {

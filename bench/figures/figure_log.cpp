@@ -8,13 +8,17 @@
 
 namespace mapbed {
 
-void LogTaker::begins(const RunInput& prepared, const std::string& /*method*/) {
-  taken_.emplace(FigureLog{prepared.log, prepared.truth, {}});
-  if (prepared.recording != nullptr) {
-    for (ReplayTrack& other : replay_of(prepared.recording->truth, {}).others) {
-      if (other.kind == "person") taken_->people.push_back(std::move(other));
-    }
+FigureLog figure_log_of(const RunInput& prepared) {
+  FigureLog log{prepared.log, prepared.truth, {}};
+  if (prepared.recording == nullptr) return log;
+  for (ReplayTrack& other : replay_of(prepared.recording->truth, {}).others) {
+    if (other.kind == "person") log.people.push_back(std::move(other));
   }
+  return log;
+}
+
+void LogTaker::begins(const RunInput& prepared, const std::string& /*method*/) {
+  taken_.emplace(figure_log_of(prepared));
   throw Interrupted();
 }
 

@@ -19,6 +19,8 @@ struct FigureLog {
   std::vector<ReplayTrack> people;  // where they truly were, in the world; empty: nobody knows
 };
 
+FigureLog figure_log_of(const RunInput& prepared);
+
 // Takes the log of a run, and ends it there.
 class LogTaker : public RunViewer {
  public:

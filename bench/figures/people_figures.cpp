@@ -9,6 +9,8 @@
 #include "bench/figures/tracking_figure.h"
 #include "bench/figures/weights_figure.h"
 #include "core/config/option.h"
+#include "core/config/suggestion.h"
+#include "core/image/png.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -53,6 +55,15 @@ const std::vector<PeopleFigure>& people_figures() {
   return table;
 }
 
+const PeopleFigure& people_figure_by_name(const std::string& name) {
+  std::vector<std::string> names;
+  for (const PeopleFigure& figure : people_figures()) {
+    if (figure.name == name) return figure;
+    names.push_back(figure.name);
+  }
+  throw InputError({}, "unknown figure of people " + in_quotes(name), suggestion(name, names));
+}
+
 RgbImage figure_of(const PeopleFigure& figure, const FigureLog& log, const Settings& settings,
                    std::optional<double> at, int longest_side) {
   PeopleFilter::Options options;
@@ -64,6 +75,21 @@ RgbImage figure_of(const PeopleFigure& figure, const FigureLog& log, const Setti
         fmt::format("--at {:g} s is behind the last scan, which is at {:.1f} s", *at, length));
   }
   return figure.draw(drive.moments(figure.scans(drive, at)), longest_side);
+}
+
+std::vector<ResultFile> files_of_figures(const std::vector<std::string>& names,
+                                         const RunInput& prepared) {
+  if (names.empty()) return {};
+  constexpr int kLongestSide = 1000;  // [pixels]
+  const FigureLog log = figure_log_of(prepared);
+  const PeopleDrive drive(log, {});
+  std::vector<ResultFile> files;
+  for (const std::string& name : names) {
+    const PeopleFigure& figure = people_figure_by_name(name);
+    const RgbImage image = figure.draw(drive.moments(figure.scans(drive, {})), kLongestSide);
+    files.push_back({"maps/" + name + ".png", png_of(image), figure.about});
+  }
+  return files;
 }
 
 }  // namespace mapbed

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "bench/figures/people_moments.h"
+#include "bench/results/result_file.h"
+#include "bench/sources/run_input.h"
 #include "core/config/settings.h"
 #include "core/image/image.h"
 
@@ -22,9 +24,16 @@ struct PeopleFigure {
 
 const std::vector<PeopleFigure>& people_figures();
 
+// Throws InputError for an unknown name, with the nearest one.
+const PeopleFigure& people_figure_by_name(const std::string& name);
+
 // `settings` are of the people filter that follows them. Throws InputError for an option that it
 // does not have, a time that is not in the log, and a log without scans.
 RgbImage figure_of(const PeopleFigure& figure, const FigureLog& log, const Settings& settings,
                    std::optional<double> at, int longest_side);
+
+// Those of a run, each at the moment that it chooses, by the filter's defaults.
+std::vector<ResultFile> files_of_figures(const std::vector<std::string>& names,
+                                         const RunInput& prepared);
 
 }  // namespace mapbed

@@ -133,6 +133,17 @@ TEST_F(PeopleFigures, OfWhatDiffersMarkWhatMovedOnlyWhereSomebodyWalks) {
   EXPECT_GT(count_of(drawn("difference", 3.4), kDynamicColor), in_legend + 5);
 }
 
+TEST_F(PeopleFigures, AreFilesOfARunThatNamesThem) {
+  RunInput input;
+  input.log = walk_.log.log;
+  const std::vector<ResultFile> files = files_of_figures({"tracking", "scan"}, input);
+  ASSERT_THAT(files, SizeIs(2));
+  EXPECT_EQ(files[0].path, "maps/tracking.png");
+  EXPECT_THAT(files[1].title, HasSubstr("Figure 3.1"));
+  EXPECT_THAT(files_of_figures({}, RunInput{}), SizeIs(0)) << "also of a log without scans";
+  EXPECT_THROW(people_figure_by_name("trackin"), InputError);
+}
+
 TEST_F(PeopleFigures, RefuseOptionsAndTimesThatThereAreNot) {
   const auto refusal = [&](const Settings& settings, double at) -> std::string {
     try {

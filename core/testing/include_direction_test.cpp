@@ -55,10 +55,11 @@ const std::map<std::string, std::vector<Levels>> kInnerOrder = {
      {{{"process", "plot", "metrics", "faults"},
        {"results", "methods", "fetch"},
        {"sources"},
+       {"figures"},
        {"experiments"},
        {"scenario"},
        {"shards"},
-       {"figures", "film", "pages"},
+       {"film", "pages"},
        {"cli", "micro"}}}},
 };
 
