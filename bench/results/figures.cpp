@@ -11,6 +11,7 @@
 #include "bench/results/series_figure.h"
 #include "core/check.h"
 #include "core/config/quantity.h"
+#include "core/statistics/binomial.h"
 
 namespace mapbed {
 namespace {
@@ -125,15 +126,17 @@ void add_means(const Results& results, const PlotSpec& spec, int metric, int x_a
         line_of(plot, line_name(results, spec, row.level, row.variant, x_axis), mark);
     series.x.push_back(place_of(results, plot, row, x_axis));
     series.y.push_back(displayed(row.mean, unit));
-    series.low.push_back(displayed(row.low, unit));
-    series.high.push_back(displayed(row.high, unit));
+    const Interval interval = spec.is_binomial ? binomial_interval(row.mean, row.runs - row.missing)
+                                               : Interval{row.low, row.high};
+    series.low.push_back(displayed(interval.low, unit));
+    series.high.push_back(displayed(interval.high, unit));
     counted.add(row);
   }
-  const std::string interval = mark == Mark::line ? "band" : "error bar";
-  plot.subtitle = subtitle_of(spec,
-                              counted.runs_each("mean of {} runs each, " + interval +
-                                                ": 95 % bootstrap interval of the mean"),
-                              counted);
+  const std::string drawn = mark == Mark::line ? "band" : "error bar";
+  const std::string interval =
+      spec.is_binomial ? "Wilson interval of the fraction" : "bootstrap interval of the mean";
+  plot.subtitle = subtitle_of(
+      spec, counted.runs_each("mean of {} runs each, " + drawn + ": 95 % " + interval), counted);
   if (counted.most <= 1) {
     for (PlotSeries& series : plot.series) series.low = series.high = {};
   }

@@ -172,6 +172,22 @@ TEST(Figures, AMatrixHasRowsOfOneAxisAndColumnsOfTheOtherWithTheVariants) {
   EXPECT_EQ(title_of(matrix.value), "error [m]");
 }
 
+TEST(Figures, IntervalsOfWhatIsZeroOrOneAreWilsons) {
+  Results results = sweep();
+  for (SummaryRow& of : results.summary) {
+    of.mean = of.low = of.high = 0.0;  // it never came
+    of.runs = 50;
+  }
+  const Plot plot = figure_of(
+      results,
+      {.x = "odometry.sigma", .y = "heading_error", .variants = {"on"}, .is_binomial = true});
+  ASSERT_EQ(plot.series.size(), 1U);
+  EXPECT_EQ(plot.series[0].low[0], 0.0);
+  // z^2 / (n + z^2), shown in degrees as the metric is.
+  EXPECT_NEAR(plot.series[0].high[0], 3.8414588 / 53.8414588 * 180.0 / std::numbers::pi, 1e-6);
+  EXPECT_THAT(plot.subtitle, ::testing::HasSubstr("95 % Wilson interval of the fraction"));
+}
+
 TEST(Figures, AMatrixOfMetricsHasARowForEachInTheirOrder) {
   Results results;
   results.levels = levels_of({});

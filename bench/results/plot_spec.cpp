@@ -209,6 +209,9 @@ PlotSpec plot_of(const ConfigNode& node) {
       plot.references.push_back({name, references->at(name).text()});
     }
   }
+  if (const ConfigNode* interval = node.find("interval")) {
+    plot.is_binomial = interval->choice({"bootstrap", "binomial"}) == 1;
+  }
   if (const ConfigNode* log_x = node.find("log_x")) plot.log_x = log_x->flag();
   if (const ConfigNode* log_y = node.find("log_y")) plot.log_y = log_y->flag();
   return plot;
@@ -235,6 +238,7 @@ std::string plot_text(const PlotSpec& plot) {
                    {"variants", plot.variants.empty() ? "" : flow_list(plot.variants)},
                    {"at", at.empty() ? "" : flow_map(at)},
                    {"references", references.empty() ? "" : flow_map(references)},
+                   {"interval", plot.is_binomial ? "binomial" : ""},
                    {"log_x", plot.log_x ? "true" : "false"},
                    {"log_y", plot.log_y ? "true" : "false"},
                    {"x_label", flow_scalar(plot.x_label)},

@@ -31,6 +31,7 @@ struct PlotReference {
 //   {kind: matrix, y: fault, x: log, value: error_ratio, log_value: true, mark: told}
 //   {kind: matrix, file: removed, rows: [of_people, of_doors]}   a row for each metric
 //   {kind: series, y: residual, log_y: true}        over the iterations of the series
+//   {x: noise, y: failures, interval: binomial}     of what is 0 or 1 in each run
 //   {y: failures, at: {people: 10}}                 these levels alone; also {people: [5, 10]}
 //
 // x is an axis or, of points, a metric; y a metric, of a heat map an axis, or a series; lines_by a
@@ -53,6 +54,7 @@ struct PlotSpec {
   // Path of an axis and the values of it that are shown, as written; others are shown whole.
   std::vector<std::pair<std::string, std::vector<std::string>>> at = {};
   std::vector<PlotReference> references = {};
+  bool is_binomial = false;  // intervals: of a metric that is 0 or 1 in each run, Wilson's
   bool log_x = false;
   bool log_y = false;
   std::string x_label;  // empty: by path and unit

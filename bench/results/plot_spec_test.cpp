@@ -22,7 +22,8 @@ PlotSpec read(const std::string& yaml) {
 }
 
 TEST(PlotSpec, IsWrittenAsItIsRead) {
-  for (const char* yaml : {"{y: distance}", "{x: hits, y: distance, log_y: true, variants: [odds]}",
+  for (const char* yaml : {"{y: distance}", "{y: distance, interval: binomial}",
+                           "{x: hits, y: distance, log_y: true, variants: [odds]}",
                            "{x: hits, y: distance, title: 'a, b: c', references: {'of 2009': 2 m}}",
                            "{kind: heat_map, x: hits, y: misses, value: distance, file: map}",
                            "{y: distance, at: {hits: 1, world: [a, b]}}",
