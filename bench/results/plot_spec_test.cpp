@@ -36,9 +36,12 @@ TEST(PlotSpec, IsWrittenAsItIsRead) {
   }
   const std::string everything =
       "{file: m, title: T, kind: heat_map, x: hits, y: misses, value: distance, lines_by: world, "
-      "variants: [odds], at: {world: [a]}, references: {p: 2 m}, log_x: true, log_y: false, "
+      "variants: [odds], at: {world: [a]}, references: {p: 2 m}, interval: binomial, log_x: true, "
+      "log_y: false, "
       "x_label: X, y_label: Y, value_label: V, thesis: F}";
   EXPECT_EQ(plot_text(read(everything)), everything);
+  const PlotSpec matrix = read(plot_text(read("{kind: matrix, file: f, rows: [a, 'b c']}")));
+  EXPECT_THAT(matrix.rows, ::testing::ElementsAre("a", "b c"));
   const PlotSpec plot = read(plot_text(read("{y: distance, references: {'of 2009': 2 m}}")));
   ASSERT_EQ(plot.references.size(), 1u);
   EXPECT_EQ(plot.references[0].name, "of 2009");
