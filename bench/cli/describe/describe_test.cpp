@@ -75,6 +75,25 @@ TEST_F(Describe, ATrajectoryTellsItsLengthAndBox) {
                     HasSubstr("longest: 5.00 m")));
 }
 
+TEST_F(Describe, TracksTellHowLongPeopleWereFollowedAndLabelsHowMuchIsDynamic) {
+  // Number 1 for 2 s, hidden in one of three scans; number 2 begins 0.5 s later 1 m away, number 3
+  // elsewhere.
+  write("tracks.csv",
+        "track,time,x,y,vx,vy,sxx,sxy,syy,occluded\n"
+        "1,0,0,0,0,0,0.01,0,0.01,0\n1,1,1,0,0,0,0.01,0,0.01,1\n1,2,2,0,0,0,0.01,0,0.01,0\n"
+        "2,2.5,3,0,0,0,0.01,0,0.01,0\n2,6.5,3,4,0,0,0.01,0,0.01,0\n"
+        "3,2.5,9,0,0,0,0.01,0,0.01,0\n");
+  EXPECT_THAT(
+      described("tracks.csv"),
+      AllOf(HasSubstr("(tracks)\ntracks: 3, in 2 scans each"),
+            HasSubstr("length: 2.0 s in the median, 4.0 s the longest; 6.0 m of way in all"),
+            HasSubstr("not seen: in 16.7 % of these"), HasSubstr("lost and found: 1 end where")));
+  write("labels.txt", "# MAPBED LABELS 1\n0.5 0 4 99 - 10 100\n0.6 0 1 50\n");
+  EXPECT_THAT(described("labels.txt"),
+              AllOf(HasSubstr("(labels of beams)\nscans: 2\nbeams: 5, 4 of them with a label"),
+                    HasSubstr("dynamic: 1, 25.00 %")));
+}
+
 TEST_F(Describe, AMapTellsItsSizeAndHowMuchIsKnown) {
   write("m.pgm", std::string("P5\n4 2\n255\n") + std::string("\xFE\xFE\xCD\xCD", 4) +
                      std::string("\x00\x00\xCD\xCD", 4));

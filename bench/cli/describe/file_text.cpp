@@ -11,6 +11,7 @@
 
 #include "bench/cli/catalogue.h"
 #include "bench/cli/describe/pose_lines.h"
+#include "bench/cli/describe/what_moved_text.h"
 #include "bench/metrics/relations.h"
 #include "bench/results/result_folder.h"
 #include "core/file/csv_file.h"
@@ -18,6 +19,8 @@
 #include "core/geometry/tum_file.h"
 #include "core/image/samples.h"
 #include "core/input_error.h"
+#include "core/labels/labels_file.h"
+#include "core/labels/tracks_file.h"
 #include "core/log/log_file.h"
 #include "sim/truth/truth_file.h"
 #include "worlds/file/obj_file.h"
@@ -31,7 +34,8 @@ constexpr const char* kRead =
     "read are: logs (CARMEN, CoreSLAM, DP-SLAM, scan lists, bags of ROS 1 and 2, MCAP), "
     "trajectories "
     "(lines of 4 or 8 numbers), relations, truth (.truth.gz), maps (.yaml with .pgm or .png), "
-    "pictures, meshes (.obj), tables (.csv), YAML files of scenarios, worlds, robots, sensors, "
+    "pictures, meshes (.obj), labels, tracks, tables (.csv), YAML files of scenarios, worlds, "
+    "robots, sensors, "
     "methods, logs and maps, and folders of results and maps";
 
 std::string plain_name(const std::string& path) {  // without .gz
@@ -232,6 +236,12 @@ std::optional<FileText> text_of_file(const std::string& path) {
   if (name.ends_with(".json")) return text_of_json(path, read_text_file(path));
   const std::string content = read_text_file(path);
   if (content.starts_with("MAPBED TRUTH")) return text_of_truth(path);
+  if (content.starts_with("# MAPBED LABELS")) {
+    return FileText{"labels of beams", text_of_labels(parse_labels(path, content))};
+  }
+  if (content.starts_with("track,time,")) {
+    return FileText{"tracks", text_of_tracks(parse_tracks(path, content))};
+  }
   if (name.ends_with(".csv")) return text_of_table(path, content);
   if (holds_pose_lines(content)) return text_of_pose_lines(path, content);
   return text_of_other_log(path);
