@@ -61,7 +61,7 @@ Setup setup_of(Settings settings) {
   const MethodSettings divided = divided_by_method(settings);
   Setup setup;
   apply(divided.own, options_of(setup.options), "slam");
-  for (const std::string& name : setup.options.people_figures) people_figure_by_name(name);
+  check_people_figures(setup.options.people_figures);
   setup.method = with_people_filter(chosen_method(setup.options.estimator, divided), of_filter);
   return setup;
 }

@@ -64,6 +64,15 @@ const PeopleFigure& people_figure_by_name(const std::string& name) {
   throw InputError({}, "unknown figure of people " + in_quotes(name), suggestion(name, names));
 }
 
+void check_people_figures(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    (void)people_figure_by_name(name);
+    if (std::count(names.begin(), names.end(), name) > 1) {
+      throw InputError({}, "the figure " + in_quotes(name) + " is named twice in people_figures");
+    }
+  }
+}
+
 RgbImage figure_of(const PeopleFigure& figure, const FigureLog& log, const Settings& settings,
                    std::optional<double> at, int longest_side) {
   PeopleFilter::Options options;

@@ -27,6 +27,9 @@ const std::vector<PeopleFigure>& people_figures();
 // Throws InputError for an unknown name, with the nearest one.
 const PeopleFigure& people_figure_by_name(const std::string& name);
 
+// Throws InputError also where one is named twice.
+void check_people_figures(const std::vector<std::string>& names);
+
 // `settings` are of the people filter that follows them. Throws InputError for an option that it
 // does not have, a time that is not in the log, and a log without scans.
 RgbImage figure_of(const PeopleFigure& figure, const FigureLog& log, const Settings& settings,

@@ -141,7 +141,9 @@ TEST_F(PeopleFigures, AreFilesOfARunThatNamesThem) {
   EXPECT_EQ(files[0].path, "maps/tracking.png");
   EXPECT_THAT(files[1].title, HasSubstr("Figure 3.1"));
   EXPECT_THAT(files_of_figures({}, RunInput{}), SizeIs(0)) << "also of a log without scans";
-  EXPECT_THROW(people_figure_by_name("trackin"), InputError);
+  EXPECT_THROW(check_people_figures({"trackin"}), InputError);
+  EXPECT_THROW(check_people_figures({"scan", "scan"}), InputError);
+  EXPECT_NO_THROW(check_people_figures({"scan", "tracking"}));
 }
 
 TEST_F(PeopleFigures, RefuseOptionsAndTimesThatThereAreNot) {
