@@ -96,6 +96,15 @@ TEST(RenderWorld, CutsWallsAndNothingElse) {
   EXPECT_EQ(seen_at(image, 0, 5), seen_at(image, 0, -5)) << "what begins above the cut is gone";
 }
 
+TEST(RenderWorld, ShowsWhatIsMovedAboutWhereItStandsInTheBeginning) {
+  World world = white_floor();
+  world.movables.push_back({.entity = box("crate", {6, 3, 0.5}, {2, 2, 1}, 1)});
+  EXPECT_TRUE(is_red(seen_at(render_world(world, kPlan), 6, 3)));
+  Visitors elsewhere;  // of a simulation that went on
+  elsewhere.entities = {box("crate", {-6, 3, 0.5}, {2, 2, 1}, 1)};
+  EXPECT_FALSE(is_red(seen_at(render_world(world, kPlan, elsewhere), 6, 3)));
+}
+
 TEST(RenderWorld, ShowsVisitorsAndTheirLaser) {
   const World world = white_floor();
   Visitors visitors;

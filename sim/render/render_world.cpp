@@ -17,6 +17,10 @@ PaintedMesh painted(const World& world, const RenderOptions& options, const Visi
   const PaintOptions paint_options{.cut_height = options.cut_height};
   for (const Entity& entity : world.entities) paint(mesh, entity, world.materials, paint_options);
   for (const Entity& entity : visitors.entities) paint(mesh, entity, world.materials);
+  // A simulation has them among its visitors, where they are by then.
+  for (const Movable& movable : world.movables) {
+    if (visitors.entities.empty()) paint(mesh, movable.entity, world.materials);
+  }
   for (const LaserFan& fan : visitors.fans) paint(mesh, fan);
   for (std::size_t i = 0; options.paths && i < world.paths.size(); ++i) {
     std::vector<Eigen::Vector3d> points;

@@ -37,6 +37,12 @@ std::string text_of_world(const World& world) {
     const Eigen::Vector2d end = route.points.back();
     text += fmt::format("  - {}: to ({:.1f}, {:.1f})\n", route.name, end.x(), end.y());
   }
+  if (!world.movables.empty()) text += "what is moved about:\n";
+  for (const Movable& movable : world.movables) {
+    const Eigen::Vector3d& at = movable.entity.world_from_entity.position;
+    text += fmt::format("  - {}: at ({:.1f}, {:.1f}), {} further places\n", movable.entity.name,
+                        at.x(), at.y(), movable.places.size() - 1);
+  }
   if (!world.doors.empty()) text += "doors:\n";
   for (const Door& door : world.doors) {
     text += fmt::format("  - {}: {:g} m wide, hinged at ({:.1f}, {:.1f})\n", door.name, door.width,
