@@ -1,6 +1,7 @@
 #include "algorithms/segments/segment_filter.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>

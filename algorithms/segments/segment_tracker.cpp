@@ -1,9 +1,7 @@
 #include "algorithms/segments/segment_tracker.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "algorithms/people/occlusion.h"
 
