@@ -17,8 +17,8 @@ struct LegFeatureOptions {
   double least_width = 0.04;    // [m]
   double widest_leg = 0.24;     // [m]
   double widest_pair = 0.5;     // [m]
-  double max_range = 12.0;      // [m]
-  double widest_spacing = 0.2;  // [m]
+  double max_range = 16.0;      // [m]
+  double widest_spacing = 0.3;  // [m]
 };
 
 template <class Visitor>

@@ -35,12 +35,16 @@ void normalize(std::vector<double>& density) {
 FeatureNumbers FeatureNumbers::closed_form(double detection, double false_alarms, int max_people) {
   std::vector<std::vector<double>> rows;
   const int max_features = 2 * max_people + 10;
+  std::vector<double> false_ones;
+  for (int m = 0; m <= max_features; ++m) false_ones.push_back(poisson(m, false_alarms));
   for (int n = 0; n <= max_people; ++n) {
+    std::vector<double> detected;
+    for (int k = 0; k <= n; ++k) detected.push_back(binomial(k, n, detection));
     std::vector<double>& row = rows.emplace_back();
     for (int m = 0; m <= max_features; ++m) {
       double p = 0.0;
       for (int k = 0; k <= std::min(m, n); ++k) {
-        p += binomial(k, n, detection) * poisson(m - k, false_alarms);
+        p += detected[static_cast<std::size_t>(k)] * false_ones[static_cast<std::size_t>(m - k)];
       }
       row.push_back(p);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/check.h"
 
@@ -51,11 +52,24 @@ void add_boxes(const TrackHistory::States& states, const std::vector<ScanSightin
 }  // namespace
 
 void TrackHistory::add(std::size_t scan, const std::vector<FollowedPerson>& people) {
+  std::vector<std::size_t> ids;
   for (const FollowedPerson& person : people) {
     const auto id = static_cast<std::size_t>(person.id);
     if (by_id_.size() <= id) by_id_.resize(id + 1);
     by_id_[id].push_back({scan, person});
+    ids.push_back(id);
   }
+  for (const std::size_t id : newest_) {
+    const bool goes_on = std::find(ids.begin(), ids.end(), id) != ids.end();
+    if (!goes_on && !by_id_[id].back().person.is_confirmed) by_id_[id] = {};
+  }
+  newest_ = std::move(ids);
+}
+
+std::size_t TrackHistory::states() const {
+  std::size_t count = 0;
+  for (const States& states : by_id_) count += states.size();
+  return count;
 }
 
 std::vector<TrackHistory::States> TrackHistory::people() const {

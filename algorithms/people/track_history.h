@@ -28,14 +28,17 @@ class TrackHistory {
   };
   using States = std::vector<State>;  // of one person, in the order in which he was followed
 
+  // Who is not among them any more is over, and forgotten if he never counted.
   void add(std::size_t scan, const std::vector<FollowedPerson>& people);
 
   // Who counted in the end, up to when he was last seen: what was predicted after that led nowhere.
   // Who was somebody in the end was so from the start.
   std::vector<States> people() const;
+  std::size_t states() const;  // that are kept
 
  private:
   std::vector<States> by_id_;
+  std::vector<std::size_t> newest_;  // ids of those who were added last
 };
 
 // Section 3.3.1: what ends in somebody's bounding box is dynamic, also some time before he was

@@ -44,13 +44,14 @@ std::vector<float> TrackingFilter<Tracker>::add(const LaserScan& scan,
   tracker_.predict(scan.time);
   const std::vector<float> predicted =
       weights(probabilities_of_people(tracker_, believed, front_end_.predicted(scan.time)));
-  scans_.push_back(front_end_.add(believed, product(predicted, beam_weights)));
-  const ScanSightings& found = scans_.back();
+  const ScanSightings found = front_end_.add(believed, product(predicted, beam_weights));
   tracker_.update(found);
 
   const std::vector<float> on_people =
       probabilities_of_people(tracker_, believed, found.local_from_robot);
   front_end_.remember(found, surely_on_people(on_people));
+  scans_.push_back(
+      {ScanView::without_eyes(found.view.scan()), found.local_from_robot, {}, {}, {}, {}});
   history_.add(scans_.size() - 1, tracker_.people());
   return weights(on_people);
 }
@@ -72,6 +73,7 @@ std::vector<TrackHistory::States> TrackingFilter<Tracker>::followed_back() const
   TrackHistory history;
   for (std::size_t k = scans_.size(); k-- > 0;) {
     ScanSightings scan = mirrored_in_time(scans_[k]);
+    scan.features = leg_features(scan.view, options_.front_end.features);
     find_sightings(scan, later, options_.front_end);
     tracker.predict(scan.time());
     tracker.update(scan);

@@ -82,7 +82,7 @@ class TrackingFilter : public BeamFilter {
   PeopleFrontEnd front_end_;
   Tracker tracker_;
   TrackHistory history_;
-  std::vector<ScanSightings> scans_;
+  std::vector<ScanSightings> scans_;  // of these the readings and the frame
 };
 
 extern template class TrackingFilter<SjpdafTracker>;

@@ -13,6 +13,7 @@ namespace {
 
 using ::testing::Each;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 struct Filtered {
@@ -167,6 +168,110 @@ TYPED_TEST(ATracker, TakesScansThatSayNothing) {
   for (const ObjectTrack& track : *all.result.tracks) {
     for (const TrackState& state : track.states) EXPECT_TRUE(state.position.allFinite());
   }
+}
+
+// Whatever a tracker is given, it says of each scan something finite.
+void expect_sound(const Filtered& all, const std::vector<LaserScan>& scans) {
+  ASSERT_EQ(all.result.labels.size(), scans.size());
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    ASSERT_EQ(all.result.labels[k].static_probability.size(), scans[k].ranges.size());
+    ASSERT_EQ(all.weights[k].size(), scans[k].ranges.size());
+    for (const float weight : all.weights[k]) EXPECT_TRUE(weight >= 0.0F && weight <= 1.0F);
+  }
+  for (const ObjectTrack& track : *all.result.tracks) {
+    for (const TrackState& state : track.states) {
+      EXPECT_TRUE(state.position.allFinite() && state.velocity.allFinite() &&
+                  state.covariance.allFinite());
+    }
+  }
+  ASSERT_FALSE(all.result.remarks.empty());
+}
+
+TYPED_TEST(ATracker, TakesScansOfPeopleAlone) {
+  // Twelve in a ring who close in on the robot; no wall is in reach.
+  std::vector<LaserScan> scans;
+  for (int k = 0; k < 18; ++k) {
+    TestRoom room = rectangular_room(80.0, 80.0);
+    for (int i = 0; i < 12; ++i) {
+      const double angle = radians(30.0 * i);
+      add_person(room, (4.0 - 0.1 * k) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    scans.push_back(scan_of(room, {}, round_laser(), 100.0 + kScanPeriod * k));
+  }
+  const Filtered all = filtered<TypeParam>(scans);
+  expect_sound(all, scans);
+  EXPECT_THAT(*all.result.tracks, Not(IsEmpty()));
+}
+
+TYPED_TEST(ATracker, TakesARobotThatIsBlockedAllAround) {
+  std::vector<LaserScan> scans;
+  for (int k = 0; k < 30; ++k) {
+    TestRoom room = rectangular_room(12.0, 10.0);
+    for (int i = 0; i < 12; ++i) {
+      const double angle = radians(30.0 * i);
+      add_leg(room, 0.6 * Eigen::Vector2d(std::cos(angle), std::sin(angle)), 0.12);
+    }
+    scans.push_back(scan_of(room, {}, round_laser(), 100.0 + kScanPeriod * k));
+  }
+  const Filtered all = filtered<TypeParam>(scans);
+  expect_sound(all, scans);
+  EXPECT_THAT(*all.result.tracks, IsEmpty());
+}
+
+TYPED_TEST(ATracker, NeedsNoOdometry) {
+  std::vector<LaserScan> scans = scans_of_somebody(somebody_walks());
+  scans.resize(50);
+  TypeParam filter({}, Rng(7));
+  Filtered all;
+  Trajectory path;
+  for (const LaserScan& scan : scans) {
+    all.weights.push_back(filter.add(scan, {}));
+    path.push_back({scan.time, {}});
+  }
+  all.result = filter.result(path);
+  expect_sound(all, scans);
+  EXPECT_THAT(*all.result.tracks, SizeIs(1));
+}
+
+TYPED_TEST(ATracker, TakesScansWithoutBeamsAndOfOneMoment) {
+  std::vector<LaserScan> scans = scans_of_somebody(somebody_walks());
+  scans.resize(40);
+  scans[0].ranges.clear();
+  for (std::size_t k = 25; k < 30; ++k) scans[k].time = scans[24].time;
+  for (std::size_t k = 33; k < 40; ++k) scans[k].ranges.clear();
+  expect_sound(filtered<TypeParam>(scans), scans);
+  for (LaserScan& scan : scans) scan.ranges.clear();
+  const Filtered nothing = filtered<TypeParam>(scans);
+  expect_sound(nothing, scans);
+  EXPECT_EQ(nothing.result.remarks[0].text, "people: nobody was seen to move");
+}
+
+TEST(TrackingFilter, TakesAnyNumberOfFiltersAndPeople) {
+  std::vector<LaserScan> scans = scans_of_somebody(somebody_walks());
+  scans.resize(50);
+  for (const int filters : {1, 10'000}) {
+    for (const int people : {1, 200}) {
+      PeopleFilter::Options options;
+      options.follow_back = false;
+      options.tracker.max_filters = filters;
+      options.tracker.max_people = people;
+      const Filtered all = filtered<PeopleFilter>(scans, options);
+      expect_sound(all, scans);
+      EXPECT_THAT(*all.result.tracks, SizeIs(1));
+    }
+  }
+}
+
+TEST(TrackHistory, KeepsNothingOfWhatNeverCounted) {
+  TrackHistory history;
+  FollowedPerson person;
+  person.is_confirmed = true;
+  FollowedPerson other;
+  other.id = 1;
+  for (std::size_t k = 0; k < 10; ++k) history.add(k, {person, other});
+  EXPECT_EQ(history.states(), 20U);
+  history.add(10, {person});
+  EXPECT_EQ(history.states(), 11U);
 }
 
 TEST(TrackingFilter, IsTheSameOfTheSameSeed) {
