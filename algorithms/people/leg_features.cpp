@@ -12,7 +12,9 @@ constexpr double kUnknownSide = 0.6;   // quality where a side is out of view, o
 constexpr double kHiddenSide = 0.5;    // or hidden
 constexpr double kFewBeams = 0.8;      // or it is one beam alone
 constexpr double kTwoAsOne = 0.7;      // or it is wider than a leg
-constexpr double kOffTheLine = 0.25;   // [m] from a wall seen aslant, at least
+constexpr double kSparse =
+    0.2;  // [m] of beams: what is beside something nearer may be a wall's last
+constexpr double kOffTheLine = 0.25;     // [m] from a wall seen aslant, at least
 constexpr double kQuarterPi = 0.785398;  // mean depth of a disc's hits behind its front: 1 - pi / 4
 
 // Hits that follow each other, by their place in the eye's order.
@@ -87,13 +89,13 @@ bool is_on_a_line(const Profile& profile, const Segment& segment) {
 }
 
 // How much what is beside it looks as if a leg stood there; 0: not at all.
-double quality_beside(const Profile& profile, const Segment& segment,
+double quality_beside(const Profile& profile, const Segment& segment, double spacing,
                       const LegFeatureOptions& options) {
   const Beside right = beside(profile, segment.first, -1, options);
   const Beside left = beside(profile, segment.last, +1, options);
   if (right == Beside::nearer && left == Beside::nearer) return 0.0;
   if (right == Beside::nearer || left == Beside::nearer) {
-    if (is_on_a_line(profile, segment)) return 0.0;
+    if (spacing > kSparse || is_on_a_line(profile, segment)) return 0.0;
   }
   const auto of_side = [](Beside side) {
     if (side == Beside::farther) return 1.0;
@@ -121,7 +123,7 @@ std::optional<LegFeature> feature_of(const Profile& profile, const ScanView::Eye
                     feature.width + 2.0 * feature.spacing >= options.least_width &&
                     mean <= options.max_range && feature.spacing <= options.widest_spacing;
   if (!fits) return {};
-  feature.quality = quality_beside(profile, segment, options);
+  feature.quality = quality_beside(profile, segment, feature.spacing, options);
   if (feature.quality <= 0.0) return {};
   feature.is_wide = feature.width > options.widest_leg;
   if (feature.is_wide) feature.quality *= kTwoAsOne;
