@@ -1,7 +1,9 @@
 #include "bench/metrics/who_counts.h"
 
+#include <algorithm>
 #include <map>
 
+#include "algorithms/people/scan_view.h"
 #include "bench/metrics/true_causes.h"
 #include "sim/actors/person_body.h"
 
@@ -21,6 +23,13 @@ std::map<int, int> beams_on_entities(const LaserScan& scan, const Truth& truth) 
   return count;
 }
 
+bool looks_towards(const ScanView& view, const Eigen::Vector2d& point_in_robot) {
+  return std::any_of(view.eyes().begin(), view.eyes().end(), [&](const ScanView::Eye& eye) {
+    const auto [first, end] = eye.within(eye.bearing_of(point_in_robot), eye.step);
+    return first != end;
+  });
+}
+
 // What is known of one person so far.
 struct Appearance {
   int number = 0;
@@ -35,6 +44,8 @@ struct Appearance {
 std::vector<TrueObject> people_at(const LaserScan& scan, const StampedStates& states,
                                   const Truth& truth, const WhoCountsOptions& options) {
   const std::map<int, int> beams = beams_on_entities(scan, truth);
+  const ScanView view(scan);
+  const Pose2 robot_from_world = inverse(states.world_from_robot);
   std::vector<TrueObject> people;
   for (const MovingPose& part : states.moving) {
     const TruthEntity& entity = truth.entities[static_cast<std::size_t>(part.entity)];
@@ -43,10 +54,11 @@ std::vector<TrueObject> people_at(const LaserScan& scan, const StampedStates& st
     const bool is_near = (position - states.world_from_robot.position()).norm() <= options.range;
     const auto on_him = beams.find(entity.id);
     const bool is_seen = on_him != beams.end() && on_him->second >= options.least_beams;
-    people.push_back({.id = entity.id,
-                      .position = position,
-                      .counts = is_near && is_seen,
-                      .is_hidden = is_near && !is_seen});
+    people.push_back(
+        {.id = entity.id,
+         .position = position,
+         .counts = is_near && is_seen,
+         .is_hidden = is_near && !is_seen && looks_towards(view, robot_from_world * position)});
   }
   return people;
 }

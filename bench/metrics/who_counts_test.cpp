@@ -47,14 +47,15 @@ TEST(PeopleAt, KeepsWhoIsTooFarAndWhoIsHiddenWithoutAskingForThem) {
   Truth truth;
   truth.entities = {{.id = 0, .name = "near", .kind = EntityKind::person, .parts = {}},
                     {.id = 1, .name = "hidden", .kind = EntityKind::person, .parts = {}},
-                    {.id = 2, .name = "far", .kind = EntityKind::person, .parts = {}}};
+                    {.id = 2, .name = "far", .kind = EntityKind::person, .parts = {}},
+                    {.id = 3, .name = "behind", .kind = EntityKind::person, .parts = {}}};
   StampedStates states;
   states.time = 5.0;
-  for (int id = 0; id < 3; ++id) {
+  for (int id = 0; id < 4; ++id) {
     MovingPose trunk;
     trunk.entity = id;
     trunk.part = kTrunk;
-    trunk.world_from_part.position = {id == 2 ? 10.0 : 2.0, 0.5 * id, 1.2};
+    trunk.world_from_part.position = {id == 3 ? -2.0 : id == 2 ? 10.0 : 2.0, 0.5 * id, 1.2};
     states.moving.push_back(trunk);
   }
   const auto on = [](int entity) { return BeamTruth{.entity = entity}; };
@@ -62,14 +63,17 @@ TEST(PeopleAt, KeepsWhoIsTooFarAndWhoIsHiddenWithoutAskingForThem) {
   LaserScan scan;
   scan.time = 5.0;
   scan.ranges.assign(5, 2.0);
+  scan.first_bearing = -1.0;
+  scan.bearing_step = 0.5;
   const std::vector<TrueObject> people =
       people_at(scan, states, truth, {.range = 8.0, .least_beams = 2});
-  ASSERT_EQ(people.size(), 3U);
+  ASSERT_EQ(people.size(), 4U);
   EXPECT_TRUE(people[0].counts);
   EXPECT_FALSE(people[1].counts);
   EXPECT_TRUE(people[1].is_hidden);
   EXPECT_FALSE(people[2].counts);
   EXPECT_FALSE(people[2].is_hidden);
+  EXPECT_FALSE(people[3].is_hidden) << "nothing looks behind";
 }
 
 }  // namespace
