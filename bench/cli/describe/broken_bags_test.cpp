@@ -43,7 +43,7 @@ class BrokenBag : public CommandTest {
   // The same, and a map.
   void expect_read(const std::string& log, const std::string& warning) const {
     expect_topics_of(log, "warning: " + warning);
-    const Outcome outcome = call({"map", log, "--method", "odometry", "-o", "out"});
+    const Outcome outcome = call({"map", log, "-o", "out"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("warning: " + warning));
     fs::remove_all(path("out"));
