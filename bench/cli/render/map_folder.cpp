@@ -1,5 +1,6 @@
 #include "bench/cli/render/map_folder.h"
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -19,6 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// As the files of a map have stamps.
+double to_microsecond(double time) {
+  return std::round(time * 1e6) / 1e6;
+}
+
 // Where the beams ended that the folder's labels call dynamic: ranges stand in the log alone.
 DrawnPoints dynamic_points(const fs::path& folder, const std::string& log_name) {
   DrawnPoints drawn{.name = "met what moves"};
@@ -28,12 +34,15 @@ DrawnPoints dynamic_points(const fs::path& folder, const std::string& log_name) 
   const Trajectory path = load_trajectory((folder / "trajectory.tum").string());
   const BeamLabels all = load_labels((folder / "labels.txt.gz").string());
   std::map<std::pair<double, int>, const ScanLabels*> by_scan;
-  for (const ScanLabels& labels : all) by_scan[{labels.time, labels.laser}] = &labels;
+  for (const ScanLabels& labels : all) {
+    by_scan[{to_microsecond(labels.time), labels.laser}] = &labels;
+  }
   for (const Measurement& measurement : log.measurements) {
     const auto* scan = std::get_if<LaserScan>(&measurement);
     if (scan == nullptr) continue;
-    const auto labels = by_scan.find({scan->time, scan->laser});
-    const std::optional<Pose2> pose = pose_at(path, scan->time);
+    const double time = to_microsecond(scan->time);
+    const auto labels = by_scan.find({time, scan->laser});
+    const std::optional<Pose2> pose = pose_at(path, time);
     if (labels == by_scan.end() || !pose) continue;
     if (labels->second->static_probability.size() != scan->ranges.size()) continue;
     for_each_beam(*scan, *pose, config.map.beams, [&](std::size_t n, const Beam& beam) {
