@@ -15,10 +15,10 @@ void find_sightings(ScanSightings& scan, const RecentScans& before,
       sightings_of(scan.features, scan.places, scan.past, scan.local_from_robot, options.sightings);
 }
 
-ScanSightings mirrored_in_time(const ScanSightings& scan) {
-  LaserScan readings = scan.view.scan();
+ScanSightings mirrored_in_time(const KeptScan& scan) {
+  LaserScan readings = scan.readings;
   readings.time = -readings.time;
-  return {ScanView(std::move(readings)), scan.local_from_robot, scan.features, {}, {}, {}};
+  return {ScanView(std::move(readings)), scan.local_from_robot, {}, {}, {}, {}};
 }
 
 ScanSightings PeopleFrontEnd::add(const LaserScan& scan, std::span<const float> beam_weights) {

@@ -32,7 +32,7 @@ void find_sightings(ScanSightings& scan, const RecentScans& before,
                     const PeopleFrontEndOptions& options);
 
 // The scan at the opposite time, for a tracker that follows people back.
-ScanSightings mirrored_in_time(const ScanSightings& scan);
+ScanSightings mirrored_in_time(const KeptScan& scan);
 
 // From scans to what may be people, the same for every tracker: leg features, whether they moved,
 // pairs of legs, in a local frame that follows the robot by scan matching.

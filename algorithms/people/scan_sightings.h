@@ -9,6 +9,14 @@
 
 namespace mapbed {
 
+// What is kept of a scan, to look at it again later: a view of it is more than twice as large.
+struct KeptScan {
+  LaserScan readings;
+  Pose2 local_from_robot;
+
+  double time() const { return readings.time; }
+};
+
 // What a tracker is given of one scan.
 struct ScanSightings {
   ScanView view;

@@ -62,11 +62,4 @@ ScanView::ScanView(LaserScan scan) : scan_(std::move(scan)) {
   }
 }
 
-ScanView ScanView::without_eyes(LaserScan scan) {
-  ScanView view;
-  view.scan_ = std::move(scan);
-  view.scan_.remissions.clear();
-  return view;
-}
-
 }  // namespace mapbed

@@ -33,15 +33,10 @@ class ScanView {
 
   explicit ScanView(LaserScan scan);
 
-  // The readings alone, to be kept: less than half the memory. A view of them is made again.
-  static ScanView without_eyes(LaserScan scan);
-
   const LaserScan& scan() const { return scan_; }
   const std::vector<Eye>& eyes() const { return eyes_; }
 
  private:
-  ScanView() = default;
-
   LaserScan scan_;
   std::vector<Eye> eyes_;
 };

@@ -29,7 +29,7 @@ Eigen::Matrix2d rotation_of(const Pose2& pose) {
 }
 
 // Where he was in each scan; within the margin of the first and of the last one as he walked.
-void add_boxes(const TrackHistory::States& states, const std::vector<ScanSightings>& scans,
+void add_boxes(const TrackHistory::States& states, const std::vector<KeptScan>& scans,
                const LabelOptions& options, std::vector<std::vector<Box>>& boxes) {
   const auto add = [&](const TrackHistory::State& state, std::size_t k) {
     const FollowedPerson& person = state.person;
@@ -82,7 +82,7 @@ std::vector<TrackHistory::States> TrackHistory::people() const {
   return people;
 }
 
-BeamLabels labels_of_people(const std::vector<ScanSightings>& scans,
+BeamLabels labels_of_people(const std::vector<KeptScan>& scans,
                             const std::vector<TrackHistory::States>& people,
                             const LabelOptions& options) {
   std::vector<std::vector<Box>> boxes(scans.size());
@@ -90,7 +90,7 @@ BeamLabels labels_of_people(const std::vector<ScanSightings>& scans,
   BeamLabels labels;
   labels.reserve(scans.size());
   for (std::size_t k = 0; k < scans.size(); ++k) {
-    const LaserScan& scan = scans[k].view.scan();
+    const LaserScan& scan = scans[k].readings;
     ScanLabels& of_scan = labels.emplace_back();
     of_scan = {scan.time, scan.laser, std::vector<float>(scan.ranges.size(), kNoLabel)};
     for (std::size_t b = 0; b < scan.ranges.size(); ++b) {
@@ -104,7 +104,7 @@ BeamLabels labels_of_people(const std::vector<ScanSightings>& scans,
   return labels;
 }
 
-Tracks tracks_of_people(const std::vector<ScanSightings>& scans,
+Tracks tracks_of_people(const std::vector<KeptScan>& scans,
                         const std::vector<TrackHistory::States>& people,
                         const Trajectory& map_from_robot) {
   CHECK(map_from_robot.size() == scans.size());
@@ -113,7 +113,7 @@ Tracks tracks_of_people(const std::vector<ScanSightings>& scans,
     ObjectTrack& track = tracks.emplace_back();
     track.id = states.front().person.id;
     for (const TrackHistory::State& state : states) {
-      const ScanSightings& scan = scans[state.scan];
+      const KeptScan& scan = scans[state.scan];
       const Pose2 map_from_local = map_from_robot[state.scan].pose * inverse(scan.local_from_robot);
       const Eigen::Matrix2d turn = rotation_of(map_from_local);
       const FollowedPerson& person = state.person;

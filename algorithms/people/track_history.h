@@ -43,12 +43,12 @@ class TrackHistory {
 
 // Section 3.3.1: what ends in somebody's bounding box is dynamic, also some time before he was
 // first detected and after he was last seen. A label for each of the scans.
-BeamLabels labels_of_people(const std::vector<ScanSightings>& scans,
+BeamLabels labels_of_people(const std::vector<KeptScan>& scans,
                             const std::vector<TrackHistory::States>& people,
                             const LabelOptions& options);
 
 // In the frame of the path that a method found, a pose for each scan: they go with the robot.
-Tracks tracks_of_people(const std::vector<ScanSightings>& scans,
+Tracks tracks_of_people(const std::vector<KeptScan>& scans,
                         const std::vector<TrackHistory::States>& people,
                         const Trajectory& map_from_robot);
 

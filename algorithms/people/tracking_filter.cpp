@@ -44,14 +44,14 @@ std::vector<float> TrackingFilter<Tracker>::add(const LaserScan& scan,
   tracker_.predict(scan.time);
   const std::vector<float> predicted =
       weights(probabilities_of_people(tracker_, believed, front_end_.predicted(scan.time)));
-  const ScanSightings found = front_end_.add(believed, product(predicted, beam_weights));
+  const ScanSightings& found =
+      newest_.emplace(front_end_.add(believed, product(predicted, beam_weights)));
   tracker_.update(found);
 
   const std::vector<float> on_people =
       probabilities_of_people(tracker_, believed, found.local_from_robot);
   front_end_.remember(found, surely_on_people(on_people));
-  scans_.push_back(
-      {ScanView::without_eyes(found.view.scan()), found.local_from_robot, {}, {}, {}, {}});
+  scans_.push_back({found.view.scan(), found.local_from_robot});
   history_.add(scans_.size() - 1, tracker_.people());
   return weights(on_people);
 }

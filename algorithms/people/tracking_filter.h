@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "algorithms/beam_filter.h"
@@ -66,8 +67,9 @@ class TrackingFilter : public BeamFilter {
   std::vector<float> add(const LaserScan& scan, std::span<const float> beam_weights) override;
   FilterResult result(const Trajectory& map_from_robot) const override;
 
-  // For pictures: what each scan so far gave, and who is followed at the newest one.
-  const std::vector<ScanSightings>& scans() const { return scans_; }
+  // For pictures: the scans so far, what the newest one gave, and who is followed there.
+  const std::vector<KeptScan>& scans() const { return scans_; }
+  const ScanSightings& newest() const { return *newest_; }  // not before the first scan
   const Tracker& tracker() const { return tracker_; }
 
  private:
@@ -82,7 +84,8 @@ class TrackingFilter : public BeamFilter {
   PeopleFrontEnd front_end_;
   Tracker tracker_;
   TrackHistory history_;
-  std::vector<ScanSightings> scans_;  // of these the readings and the frame
+  std::vector<KeptScan> scans_;
+  std::optional<ScanSightings> newest_;
 };
 
 extern template class TrackingFilter<SjpdafTracker>;

@@ -61,15 +61,16 @@ std::vector<float> SegmentFilter::add(const LaserScan& scan, std::span<const flo
   tracker_.predict(scan.time);
   std::vector<float> weights = expected_weights(believed);
   for (std::size_t b = 0; b < beam_weights.size(); ++b) weights[b] *= beam_weights[b];
-  scans_.push_back({ScanView(believed), frame_.add(believed, weights), {}, {}, {}, {}});
-  const ScanSightings& now = scans_.back();
-  tracker_.update({now.view, now.local_from_robot,
-                   segments_of(now.view, now.local_from_robot, recent_, options_.segments)});
+  const ScanView view(believed);
+  const Pose2 local_from_robot = frame_.add(believed, weights);
+  scans_.push_back({view.scan(), local_from_robot});
+  tracker_.update(
+      {view, local_from_robot, segments_of(view, local_from_robot, recent_, options_.segments)});
   met_.push_back(tracker_.met());
   history_.add(scans_.size() - 1, tracker_.followed());
 
   const std::vector<bool> on_mover = on_movers(met_.back(), scan.ranges.size());
-  recent_.add(now.view, now.local_from_robot, on_mover);
+  recent_.add(view, local_from_robot, on_mover);
   for (std::size_t b = 0; b < weights.size(); ++b) weights[b] = on_mover[b] ? 0.0F : 1.0F;
   return weights;
 }
@@ -94,8 +95,8 @@ void SegmentFilter::label_back(BeamLabels& labels) const {
 
 FilterResult SegmentFilter::result(const Trajectory& map_from_robot) const {
   FilterResult result;
-  for (const ScanSightings& scan : scans_) {
-    const LaserScan& readings = scan.view.scan();
+  for (const KeptScan& scan : scans_) {
+    const LaserScan& readings = scan.readings;
     ScanLabels& of_scan = result.labels.emplace_back();
     of_scan = {readings.time, readings.laser, std::vector<float>(readings.ranges.size(), kNoLabel)};
     for (std::size_t b = 0; b < readings.ranges.size(); ++b) {

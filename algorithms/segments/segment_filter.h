@@ -51,8 +51,8 @@ class SegmentFilter : public BeamFilter {
   RecentScans recent_{options_.recent};
   SegmentTracker tracker_;
   TrackHistory history_;
-  std::vector<ScanSightings> scans_;  // of these the view and the frame
-  std::vector<MetInScan> met_;        // in each of them
+  std::vector<KeptScan> scans_;
+  std::vector<MetInScan> met_;  // in each of them
 };
 
 }  // namespace mapbed

@@ -188,7 +188,7 @@ class Fetching {
   const FetchOptions& options_;
   const FetchListener& listener_;
   std::vector<const StoredFile*> missing_;
-  std::vector<std::string> pieces_;  // public files that are here for now
+  std::vector<std::string> pieces_;  // public files, which go when the log is made
 };
 
 }  // namespace

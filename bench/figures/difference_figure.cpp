@@ -18,9 +18,9 @@ constexpr Rgb kGone{86, 180, 233};
 constexpr Rgb kStood{120, 120, 120};
 
 // In the robot's frame of the newest scan.
-OccupancyMap grid_of(const ScanSightings& found, const Pose2& robot_from_local) {
-  const std::vector<LaserScan> scans{found.view.scan()};
-  return build_map(scans, {{found.time(), robot_from_local * found.local_from_robot}},
+OccupancyMap grid_of(const KeptScan& scan, const Pose2& robot_from_local) {
+  const std::vector<LaserScan> scans{scan.readings};
+  return build_map(scans, {{scan.time(), robot_from_local * scan.local_from_robot}},
                    {.model = MapModel::counting, .resolution = kCell});
 }
 
@@ -96,8 +96,9 @@ RgbImage difference_figure(const std::vector<PeopleMoment>& moments, int longest
   const Pose2 robot_from_local = inverse(moment.found.local_from_robot);
   const Eigen::AlignedBox2d area = area_about(moment.found.view.scan());
   const PlanePanel empty(area, 0.5 * longest_side / area.sizes().x());
-  const ScanSightings& earlier = moment.before ? *moment.before : moment.found;
-  const OccupancyMap now = grid_of(moment.found, robot_from_local);
+  const KeptScan newest{moment.found.view.scan(), moment.found.local_from_robot};
+  const KeptScan& earlier = moment.before ? *moment.before : newest;
+  const OccupancyMap now = grid_of(newest, robot_from_local);
   const OccupancyMap before = grid_of(earlier, robot_from_local);
   using Kind = LegendItem::Kind;
   std::vector<LegendItem> legend{{Kind::area, kDynamicColor, "occupied, was free; moved"},

@@ -36,13 +36,13 @@ const FollowedPerson* found(const std::vector<FollowedPerson>& people, int id) {
   return at == people.end() ? nullptr : &*at;
 }
 
-double distance_to(const ScanSightings& scan, const FollowedPerson& person) {
+double distance_to(const KeptScan& scan, const FollowedPerson& person) {
   return (person.position - scan.local_from_robot.position()).norm();
 }
 
-bool is_hidden(const ScanSightings& scan, const FollowedPerson& person) {
-  return hidden_probability(scan.view, inverse(scan.local_from_robot) * person.position, kBody) >
-         0.5;
+bool is_hidden(const KeptScan& scan, const FollowedPerson& person) {
+  return hidden_probability(ScanView(scan.readings),
+                            inverse(scan.local_from_robot) * person.position, kBody) > 0.5;
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ std::optional<PeopleDrive::Occlusion> PeopleDrive::longest_occlusion() const {
   std::map<int, Gap> gaps;  // of those who are not seen, by id
   std::optional<Occlusion> longest;
   for (std::size_t k = 0; k < scans(); ++k) {
-    const ScanSightings& scan = filter_.scans()[k];
+    const KeptScan& scan = filter_.scans()[k];
     for (const FollowedPerson& person : people_[k]) {
       if (!person.is_confirmed) continue;
       if (!person.is_seen) {
@@ -131,10 +131,10 @@ std::vector<Eigen::Vector2d> PeopleDrive::way_of(int id, std::size_t scan) const
 }
 
 PeopleMoment PeopleDrive::moment(const PeopleFilter& filter) const {
-  const std::vector<ScanSightings>& scans = filter.scans();
+  const std::vector<KeptScan>& scans = filter.scans();
   const std::size_t newest = scans.size() - 1;
   PeopleMoment moment{
-      .seconds = seconds_at(newest), .found = scans[newest], .footprint = options_.footprint};
+      .seconds = seconds_at(newest), .found = filter.newest(), .footprint = options_.footprint};
   for (std::size_t k = newest; k-- > 0 && !moment.before;) {
     if (seconds_at(newest) - seconds_at(k) >= kCompared - 1e-6) moment.before = scans[k];
   }

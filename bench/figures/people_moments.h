@@ -20,9 +20,9 @@ struct PersonThen {
 
 // What the filter held at one scan.
 struct PeopleMoment {
-  double seconds = 0.0;                 // since the log's start
-  ScanSightings found;                  // of that scan
-  std::optional<ScanSightings> before;  // of the scan that it is compared with, Figure 3.2
+  double seconds = 0.0;            // since the log's start
+  ScanSightings found;             // of that scan
+  std::optional<KeptScan> before;  // the scan that it is compared with, Figure 3.2
   std::vector<PersonThen> people;
   std::vector<Eigen::Vector2d> truth;  // [m] people in truth, in the local frame
   double footprint = 0.0;              // [m] TrackingFilterOptions::footprint

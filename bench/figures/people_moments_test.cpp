@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "algorithms/people/occlusion.h"
 #include "algorithms/people/testing/people_in_a_room.h"
 #include "bench/figures/people_figures.h"
 #include "bench/figures/range_profile.h"
@@ -83,6 +84,13 @@ TEST_F(APeopleDrive, ShowsSamplesWayAndTruthAtAMoment) {
     EXPECT_GT((then.way.front() - then.way.back()).norm(), 0.5);
     ASSERT_THAT(moments[i].truth, SizeIs(1));
     EXPECT_LT((moments[i].truth[0] - truth).norm(), 0.05);
+    const ScanSightings& found = moments[i].found;
+    EXPECT_EQ(
+        std::any_of(found.features.begin(), found.features.end(),
+                    [&](const LegFeature& leg) { return (leg.position - truth).norm() < 0.4; }),
+        i == 0);
+    EXPECT_LT(hidden_probability(found.view, {1.0, 0.0}, 0.15), 0.5) << "nothing is before it";
+    EXPECT_EQ(moments[i].found.places.size(), moments[i].found.features.size());
     ASSERT_TRUE(moments[i].before.has_value());
     EXPECT_NEAR(moments[i].found.time() - moments[i].before->time(), 1.6, 1e-6);
   }
@@ -126,6 +134,12 @@ TEST_F(PeopleFigures, ThatShowTrackingGoThroughTheLongestOcclusion) {
   EXPECT_GT(scans[3], occlusion.last);
   EXPECT_THAT(figure("tracking").scans(drive_, 4.0), ElementsAre(22u, 28u, 34u, 40u));
   EXPECT_GT(count_of(drawn("tracking"), track_color(occlusion.id)), 40);
+}
+
+TEST_F(PeopleFigures, OfAScanMarkLegs) {
+  const RgbImage empty = drawn("scan", 1.5);
+  const RgbImage walked = drawn("scan", 3.4);
+  EXPECT_GT(count_of(walked, kDynamicColor), count_of(empty, kDynamicColor) + 5);
 }
 
 TEST_F(PeopleFigures, OfWhatDiffersMarkWhatMovedOnlyWhereSomebodyWalks) {
