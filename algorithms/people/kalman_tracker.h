@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "algorithms/people/constant_velocity.h"
+#include "algorithms/motion/constant_velocity.h"
 #include "algorithms/people/scan_sightings.h"
 #include "algorithms/people/track_life.h"
 #include "algorithms/remark.h"

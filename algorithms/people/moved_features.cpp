@@ -48,6 +48,13 @@ SeenBefore seen_at(const ScanView& view, const Eigen::Vector2d& point_in_robot, 
   return is_free ? SeenBefore::free : SeenBefore::nothing;
 }
 
+SeenBefore seen_again_at(const ScanView& view, const Eigen::Vector2d& point_in_robot) {
+  constexpr double kRadius = 0.07;     // [m]
+  constexpr double kAside = 0.05;      // [m]
+  constexpr double kTolerance = 0.15;  // [m]
+  return seen_at(view, point_in_robot, kRadius, kAside, kTolerance);
+}
+
 void RecentScans::add(ScanView view, const Pose2& local_from_robot, std::vector<bool> on_people) {
   CHECK(on_people.size() == view.scan().ranges.size());
   const bool is_soon = !scans_.empty() &&

@@ -47,6 +47,9 @@ struct PastScans {
 SeenBefore seen_at(const ScanView& view, const Eigen::Vector2d& point_in_robot, double radius,
                    double aside, double tolerance, const std::vector<bool>& on_people = {});
 
+// The same where something was seen before, to see whether it left.
+SeenBefore seen_again_at(const ScanView& view, const Eigen::Vector2d& point_in_robot);
+
 struct RecentScansOptions {
   int scans = 12;
   double spacing = 0.4;    // [s]

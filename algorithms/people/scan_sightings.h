@@ -30,10 +30,7 @@ struct ScanSightings {
 
   // What the scan sees at a place of the local frame.
   SeenBefore at(const Eigen::Vector2d& place) const {
-    constexpr double kRadius = 0.07;     // [m]
-    constexpr double kAside = 0.05;      // [m]
-    constexpr double kTolerance = 0.15;  // [m]
-    return seen_at(view, inverse(local_from_robot) * place, kRadius, kAside, kTolerance);
+    return seen_again_at(view, inverse(local_from_robot) * place);
   }
 };
 

@@ -7,15 +7,14 @@
 namespace mapbed {
 namespace {
 
-constexpr double kSeenAgain = 0.5;  // of the time in which somebody is seen makes up for the other
-constexpr double kHimself = 0.5;    // [m] from where he was: what stood there was he
-constexpr double kAway = 0.5;       // [m] from where he was: he left that place
-constexpr double kWay = 6.0;        // [s] that his way is known
-constexpr double kTick = 0.09;      // [s] between moments of it
-constexpr double kSameTime = 0.3;   // [s] of a past scan and a moment of his way
-constexpr double kNewPlace = 0.3;   // [m] from the place of the step before
-constexpr double kJump = 0.15;      // [m] from where he is held to be to where he is sighted
-constexpr double kMostOdds = 9.0;   // in logarithms: a person may turn out to be none in the end
+constexpr double kHimself = 0.5;   // [m] from where he was: what stood there was he
+constexpr double kAway = 0.5;      // [m] from where he was: he left that place
+constexpr double kWay = 6.0;       // [s] that his way is known
+constexpr double kTick = 0.09;     // [s] between moments of it
+constexpr double kSameTime = 0.3;  // [s] of a past scan and a moment of his way
+constexpr double kNewPlace = 0.3;  // [m] from the place of the step before
+constexpr double kJump = 0.15;     // [m] from where he is held to be to where he is sighted
+constexpr double kMostOdds = 9.0;  // in logarithms: a person may turn out to be none in the end
 
 double log_odds_of(double probability) {
   return std::log(probability / (1.0 - probability));
@@ -26,8 +25,7 @@ double log_odds_of(double probability) {
 TrackLife::TrackLife(int id, double time, const Eigen::Vector2d& position,
                      const TrackLifeOptions& options)
     : id_(id),
-      last_seen_(time),
-      last_update_(time),
+      absence_(time),
       log_odds_(log_odds_of(options.prior)),
       start_(position),
       way_{{time, position}},
@@ -85,16 +83,14 @@ std::optional<Evidence> TrackLife::evidence(const ScanSightings& scan, const Sig
 
 void TrackLife::update(const ScanSightings& scan, const Sighting* sighting, double hidden,
                        const Eigen::Vector2d& position, const TrackLifeOptions& options) {
-  const double seconds = std::max(0.0, scan.time() - last_update_);
-  last_update_ = scan.time();
+  const double seconds = std::max(0.0, scan.time() - absence_.last_update());
   is_seen_ = sighting != nullptr;
+  absence_.update(scan.time(), is_seen_, hidden);
   if (scan.time() - way_.back().time >= kTick) {
     way_.push_back({scan.time(), position});
     while (scan.time() - way_.front().time > kWay) way_.pop_front();
   }
   since_evidence_ += is_seen_ ? seconds : (1.0 - hidden) * seconds;
-  in_view_ = is_seen_ ? std::max(0.0, in_view_ - kSeenAgain * seconds)
-                      : in_view_ + (1.0 - hidden) * seconds;
   if (is_seen_) {
     is_steady_ = is_steady_ && (position - sighting->position).norm() < kJump;
   } else {
@@ -106,7 +102,6 @@ void TrackLife::update(const ScanSightings& scan, const Sighting* sighting, doub
                       found->before != SeenBefore::same;
   if (found && !stands) log_odds_ = std::min(kMostOdds, log_odds_ + found->log_ratio());
   if (!is_seen_) return;
-  last_seen_ = scan.time();
   const bool went = (position - start_).norm() >= options.confirm_travel;
   is_confirmed_ = is_confirmed_ || (went && probability() >= options.confirm);
 }
@@ -116,10 +111,9 @@ double TrackLife::probability() const {
 }
 
 bool TrackLife::is_over(double time, double spread, const TrackLifeOptions& options) const {
-  const double unseen = time - last_seen_;
-  if (probability() < options.give_up || unseen > options.forget_hidden) return true;
-  if (!is_confirmed_) return in_view_ > options.forget_new;
-  return in_view_ > options.forget_in_view || spread > options.most_spread;
+  if (probability() < options.give_up) return true;
+  if (is_confirmed_) return absence_.is_too_long(time, spread, options.absence);
+  return is_missed(options) || absence_.since_seen(time) > options.absence.forget_hidden;
 }
 
 }  // namespace mapbed

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/people/absence.h"
 #include "algorithms/people/learned_people.h"
 #include "algorithms/people/scan_sightings.h"
 #include "core/config/option.h"
@@ -19,10 +20,8 @@ struct TrackLifeOptions {
   double confirm = 0.99;
   double confirm_travel = 0.4;  // [m]
   double give_up = 0.005;
-  double forget_new = 0.5;      // [s]
-  double forget_in_view = 0.8;  // [s]
-  double forget_hidden = 4.0;   // [s]
-  double most_spread = 1.5;     // [m]
+  double forget_new = 0.5;  // [s]
+  AbsenceOptions absence;
 };
 
 template <class Visitor>
@@ -41,12 +40,7 @@ void visit_fields(TrackLifeOptions& o, Visitor&& visit) {
       "forget_new", o.forget_new, Unit::second, between(0.0, 60.0),
       "without being seen although nothing hides it, after which what does not count yet is given "
       "up");
-  visit("forget_in_view", o.forget_in_view, Unit::second, between(0.0, 60.0),
-        "without being seen although nothing hides him, after which a person is given up");
-  visit("forget_hidden", o.forget_hidden, Unit::second, between(0.0, 600.0),
-        "without being seen at all, after which a person is given up");
-  visit("most_spread", o.most_spread, Unit::meter, between(0.05, 100.0),
-        "sigma of where a person is, beyond which he is given up");
+  visit_fields(o.absence, visit);
 }
 
 // One of the people a tracker follows, in the local frame.
@@ -79,7 +73,9 @@ class TrackLife {
   bool is_confirmed() const { return is_confirmed_; }
   double probability() const;
   // Not seen for a while although nothing hides him.
-  bool is_missed(const TrackLifeOptions& options) const { return in_view_ > options.forget_new; }
+  bool is_missed(const TrackLifeOptions& options) const {
+    return absence_.in_view() > options.forget_new;
+  }
   bool is_over(double time, double spread, const TrackLifeOptions& options) const;
 
  private:
@@ -92,12 +88,10 @@ class TrackLife {
   Evidence::Left left(const ScanSightings& scan) const;
 
   int id_;
-  double last_seen_;       // [s]
-  double last_update_;     // [s]
-  double in_view_ = 0.0;   // [s] since he was last seen, weighed by how likely he could be
-  double log_odds_;        // of being a person who walks
-  Eigen::Vector2d start_;  // [m]
-  std::deque<Place> way_;  // of the last seconds, the newest at the end
+  Absence absence_;
+  double log_odds_;                    // of being a person who walks
+  Eigen::Vector2d start_;              // [m]
+  std::deque<Place> way_;              // of the last seconds, the newest at the end
   std::vector<Eigen::Vector2d> then_;  // [m] where he was at each past scan; NaN: not there yet
   Eigen::Vector2d place_;              // [m] of the last step
   double since_evidence_ = 0.0;        // [s]

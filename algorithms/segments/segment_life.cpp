@@ -1,13 +1,6 @@
 #include "algorithms/segments/segment_life.h"
 
-#include <algorithm>
-
 namespace mapbed {
-namespace {
-
-constexpr double kSeenAgain = 0.5;  // of the time in which somebody is seen makes up for the other
-
-}  // namespace
 
 void SegmentLife::add_evidence(SeenBefore before) {
   if (before == SeenBefore::free) free_ += 1.0;
@@ -15,12 +8,7 @@ void SegmentLife::add_evidence(SeenBefore before) {
 }
 
 SegmentLife::SegmentLife(int id, double time, const SeenSegment& first)
-    : id_(id),
-      first_seen_(time),
-      last_seen_(time),
-      last_update_(time),
-      first_(first),
-      position_(first.position) {
+    : id_(id), first_seen_(time), absence_(time), first_(first), position_(first.position) {
   add_evidence(first.before);
 }
 
@@ -29,11 +17,11 @@ void SegmentLife::update(double time, const SeenSegment& sighted,
   path_ += (sighted.position - position_).norm();
   position_ = sighted.position;
   is_seen_ = sighted.is_seen;
+  const double seconds = time - absence_.last_update();
+  absence_.update(time, is_seen_, sighted.hidden);
   if (is_seen_) {
     add_evidence(sighted.before);
-    last_seen_ = time;
-    in_view_ = std::max(0.0, in_view_ - kSeenAgain * (time - last_update_));
-    seen_time_ += time - last_update_;
+    seen_time_ += seconds;
     const bool lasted = time - first_seen_ >= options.confirm_time - 1e-6;
     const bool came = free_ >= options.confirm_scans;
     const bool left = sighted.at_start == SeenBefore::free && not_same_ >= options.confirm_scans;
@@ -42,10 +30,7 @@ void SegmentLife::update(double time, const SeenSegment& sighted,
     const bool is_somebody = lasted && is_steady && (came || left) && is_alone &&
                              has_moved(options) && sighted.at_start != SeenBefore::same;
     is_confirmed_ = is_confirmed_ || is_somebody;
-  } else {
-    in_view_ += (1.0 - sighted.hidden) * (time - last_update_);
   }
-  last_update_ = time;
 }
 
 bool SegmentLife::has_moved(const SegmentLifeOptions& options) const {
@@ -54,12 +39,9 @@ bool SegmentLife::has_moved(const SegmentLifeOptions& options) const {
 }
 
 bool SegmentLife::is_over(double time, double spread, const SegmentLifeOptions& options) const {
-  const double unseen = time - last_seen_;
-  if (!is_confirmed_) {
-    return unseen > options.forget_new || time - first_seen_ > options.confirm_within;
-  }
-  return in_view_ > options.forget_in_view || unseen > options.forget_hidden ||
-         spread > options.most_spread;
+  if (is_confirmed_) return absence_.is_too_long(time, spread, options.absence);
+  return absence_.since_seen(time) > options.forget_new ||
+         time - first_seen_ > options.confirm_within;
 }
 
 }  // namespace mapbed

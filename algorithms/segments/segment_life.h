@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/people/absence.h"
 #include "algorithms/people/moved_features.h"
 #include "core/config/option.h"
 
@@ -17,49 +18,41 @@ struct SegmentLifeOptions {
   double steadiness = 0.75;
   double confirm_within = 4.0;  // [s]
   double forget_new = 0.25;     // [s]
-  double forget_in_view = 0.8;  // [s]
-  double forget_hidden = 4.0;   // [s]
-  double most_spread = 1.5;     // [m]
+  AbsenceOptions absence;
 };
 
 template <class Visitor>
 void visit_fields(SegmentLifeOptions& o, Visitor&& visit) {
   visit("confirm_time", o.confirm_time, Unit::second, between(0.0, 60.0),
-        "from the first scan that saw somebody to the last, before he counts as a person");
-  visit(
-      "confirm_scans", o.confirm_scans, between(0.0, 1000.0),
-      "that saw him where earlier ones saw through, before he counts; where nobody looked before, "
-      "a scan is half of one");
+        "from the first scan that saw something to the last, before it counts");
+  visit("confirm_scans", o.confirm_scans, between(0.0, 1000.0),
+        "that saw it where earlier ones saw through, before it counts; where nobody looked before, "
+        "a scan is half of one");
   visit("confirm_travel", o.confirm_travel, Unit::meter, between(0.0, 10.0),
-        "from where he was first seen, before he counts");
+        "from where it was first seen, before it counts");
   visit("confirm_robot", o.confirm_robot, Unit::meter, between(0.0, 10.0),
         "the same in the robot's frame");
   visit("straightness", o.straightness, kFraction,
-        "distance from the start over the length of the way, before he counts");
-  visit("steadiness", o.steadiness, kFraction, "of the time in which he is seen, before he counts");
+        "distance from the start over the length of the way, before it counts");
+  visit("steadiness", o.steadiness, kFraction, "of the time in which it is seen, before it counts");
   visit("confirm_within", o.confirm_within, Unit::second, between(0.0, 600.0),
-        "of what does not count by then, it is given up");
+        "by then what does not count is given up");
   visit("forget_new", o.forget_new, Unit::second, between(0.0, 60.0),
         "without being seen, after which what does not count yet is given up");
-  visit("forget_in_view", o.forget_in_view, Unit::second, between(0.0, 60.0),
-        "without being seen although nothing hides him, after which a person is given up");
-  visit("forget_hidden", o.forget_hidden, Unit::second, between(0.0, 600.0),
-        "without being seen at all, after which a person is given up");
-  visit("most_spread", o.most_spread, Unit::meter, between(0.05, 100.0),
-        "sigma of where a person is, beyond which he is given up");
+  visit_fields(o.absence, visit);
 }
 
-// What a scan says of somebody.
+// What a scan says of something.
 struct SeenSegment {
   bool is_seen = false;
-  SeenBefore before = SeenBefore::nothing;               // at the place where he is seen
-  double hidden = 0.0;                                   // how likely he could not be seen
-  SeenBefore at_start = SeenBefore::nothing;             // now, where he was first seen
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();    // [m] where he is, in the local frame
+  SeenBefore before = SeenBefore::nothing;               // at the place where it is seen
+  double hidden = 0.0;                                   // how likely it could not be seen
+  SeenBefore at_start = SeenBefore::nothing;             // now, where it was first seen
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();    // [m] where it is, in the local frame
   Eigen::Vector2d from_robot = Eigen::Vector2d::Zero();  // [m] and in the robot's
 };
 
-// From when something is first seen to when it is given up. It counts as a person once it went some
+// From when something is first seen to when it is given up. It counts once it went some
 // way, rather straight and not just along with the robot, of which it would be a part; was seen
 // often enough where nothing stood before; and left the place where it began: what belongs to the
 // place is still there when a track jumps on to the next such thing.
@@ -80,15 +73,13 @@ class SegmentLife {
   bool has_moved(const SegmentLifeOptions& options) const;
 
   int id_;
-  double first_seen_;       // [s]
-  double last_seen_;        // [s]
-  double in_view_ = 0.0;    // [s] since he was last seen, weighed by how likely he could be seen
-  double last_update_;      // [s]
-  double seen_time_ = 0.0;  // [s] in which he was seen
+  double first_seen_;  // [s]
+  Absence absence_;
+  double seen_time_ = 0.0;  // [s] in which it was seen
   SeenSegment first_;
   Eigen::Vector2d position_;  // [m] the newest one
   double path_ = 0.0;         // [m] length of the way
-  double free_ = 0.0;         // scans that saw him where earlier ones saw through
+  double free_ = 0.0;         // scans that saw it where earlier ones saw through
   double not_same_ = 0.0;     // the same, and by half those where nobody looked before
   bool is_seen_ = true;
   bool is_confirmed_ = false;

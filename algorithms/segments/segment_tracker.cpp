@@ -8,18 +8,15 @@
 namespace mapbed {
 namespace {
 
-constexpr double kSpreads = 2.0;            // sigmas of a prediction, beyond the gate
-constexpr double kMostGrowth = 2.0;         // of something long, of which a part was seen at first
-constexpr double kBesides = 0.5;            // of the gate, for what was never looked at before
-constexpr double kShrink = 0.9;             // of a box from scan to scan, when less of it is seen
-constexpr double kSigma = 0.08;             // [m] of a middle of something small
-constexpr double kSigmaOfSide = 0.25;       // and by how much more, of half its side
-constexpr double kLeastRadius = 0.15;       // [m] of something, when it is looked for
-constexpr double kMostRadius = 1.0;         // [m]
-constexpr double kMarginOfBox = 0.1;        // [m] in which beams of the next scan are expected
-constexpr double kRadiusAtStart = 0.07;     // [m] about where it began, to see whether it left
-constexpr double kAsideAtStart = 0.05;      // [m]
-constexpr double kToleranceAtStart = 0.15;  // [m]
+constexpr double kSpreads = 2.0;       // sigmas of a prediction, beyond the gate
+constexpr double kMostGrowth = 2.0;    // of something long, of which a part was seen at first
+constexpr double kBesides = 0.5;       // of the gate, for what was never looked at before
+constexpr double kShrink = 0.9;        // of a box from scan to scan, when less of it is seen
+constexpr double kSigma = 0.08;        // [m] of a middle of something small
+constexpr double kSigmaOfSide = 0.25;  // and by how much more, of half its side
+constexpr double kLeastRadius = 0.15;  // [m] of something, when it is looked for
+constexpr double kMostRadius = 1.0;    // [m]
+constexpr double kMarginOfBox = 0.1;   // [m] in which beams of the next scan are expected
 
 double longest_side(const Eigen::AlignedBox2d& box) {
   return box.sizes().maxCoeff();
@@ -146,8 +143,7 @@ void SegmentTracker::see(Track& track, const SegmentedScan& scan,
   }
   sighted.position = track.state.mean.head<2>();
   sighted.from_robot = robot_from_local * sighted.position;
-  sighted.at_start = seen_at(scan.view, robot_from_local * track.life.start(), kRadiusAtStart,
-                             kAsideAtStart, kToleranceAtStart);
+  sighted.at_start = seen_again_at(scan.view, robot_from_local * track.life.start());
   track.life.update(scan.view.scan().time, sighted, options_.life);
 }
 

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "algorithms/people/constant_velocity.h"
+#include "algorithms/motion/constant_velocity.h"
 #include "algorithms/people/track_life.h"
 #include "algorithms/segments/scan_segments.h"
 #include "algorithms/segments/segment_life.h"

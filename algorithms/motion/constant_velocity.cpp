@@ -1,4 +1,4 @@
-#include "algorithms/people/constant_velocity.h"
+#include "algorithms/motion/constant_velocity.h"
 
 #include <cmath>
 
