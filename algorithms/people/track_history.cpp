@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algorithms/people/place_in_boxes.h"
 #include "core/check.h"
 
 namespace mapbed {
@@ -84,7 +85,7 @@ std::vector<TrackHistory::States> TrackHistory::people() const {
 
 BeamLabels labels_of_people(const std::vector<KeptScan>& scans,
                             const std::vector<TrackHistory::States>& people,
-                            const LabelOptions& options) {
+                            const Trajectory& map_from_robot, const LabelOptions& options) {
   std::vector<std::vector<Box>> boxes(scans.size());
   for (const TrackHistory::States& states : people) add_boxes(states, scans, options, boxes);
   BeamLabels labels;
@@ -101,6 +102,7 @@ BeamLabels labels_of_people(const std::vector<KeptScan>& scans,
       of_scan.static_probability[b] = is_on_somebody ? kOnSomebody : kElsewhere;
     }
   }
+  if (options.keep_place) keep_the_place(scans, map_from_robot, kElsewhere, labels);
   return labels;
 }
 

@@ -17,6 +17,7 @@ namespace mapbed {
 struct LabelOptions {
   double box = 0.4;     // [m]
   double margin = 0.4;  // [s]
+  bool keep_place = true;
 };
 
 // Where people were, by the scans in which they were followed.
@@ -42,10 +43,11 @@ class TrackHistory {
 };
 
 // Section 3.3.1: what ends in somebody's bounding box is dynamic, also some time before he was
-// first detected and after he was last seen. A label for each of the scans.
+// first detected and after he was last seen, but for what is of the place (place_in_boxes.h). A
+// label for each of the scans.
 BeamLabels labels_of_people(const std::vector<KeptScan>& scans,
                             const std::vector<TrackHistory::States>& people,
-                            const LabelOptions& options);
+                            const Trajectory& map_from_robot, const LabelOptions& options);
 
 // In the frame of the path that a method found, a pose for each scan: they go with the robot.
 Tracks tracks_of_people(const std::vector<KeptScan>& scans,

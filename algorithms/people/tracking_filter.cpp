@@ -134,7 +134,7 @@ FilterResult TrackingFilter<Tracker>::result(const Trajectory& map_from_robot) c
   if (options_.follow_back) {
     for (TrackHistory::States& states : followed_back()) people.push_back(std::move(states));
   }
-  result.labels = labels_of_people(scans_, people, options_.labels);
+  result.labels = labels_of_people(scans_, people, map_from_robot, options_.labels);
   return result;
 }
 

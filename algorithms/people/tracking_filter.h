@@ -46,6 +46,8 @@ void visit_fields(TrackingFilterOptions<TrackerOptions>& o, Visitor&& visit) {
         "from somebody to each side of the box whose beams the map leaves out");
   visit("margin", o.labels.margin, Unit::second, between(0.0, 60.0),
         "before somebody was first seen and after he was last, in which beams are left out too");
+  visit("keep_place", o.labels.keep_place,
+        "whether the map keeps beams in a box that end where something stands without him, too");
   visit("follow_back", o.follow_back,
         "whether people are followed back in time too, for the labels in the end");
   visit("front_end", o.front_end, "from scans to features");

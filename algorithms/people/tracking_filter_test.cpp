@@ -124,6 +124,28 @@ TYPED_TEST(ATracker, KeepsWhoStops) {
   EXPECT_NEAR(all.result.tracks->front().states.back().time, scans.back().time, 0.5);
 }
 
+// The wall at x = 6 is in his boxes all the way.
+TYPED_TEST(ATracker, LeavesTheWallThatHeWalksAlong) {
+  std::vector<Eigen::Vector2d> positions(20, nowhere());
+  walk(positions, {5.7, -2.5}, {5.7, 3.5});
+  const std::vector<LaserScan> scans = scans_of_somebody(positions);
+  const auto on_wall = [&](const Filtered& all) {
+    int count = 0;
+    for (std::size_t k = 0; k < scans.size(); ++k) {
+      for (std::size_t b = 0; b < scans[k].ranges.size(); ++b) {
+        if (!is_dynamic(all.result.labels[k], b)) continue;
+        count += scans[k].point_on(b, scans[k].ranges[b]).x() > 5.95 ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  const Filtered all = filtered<TypeParam>(scans);
+  EXPECT_EQ(on_wall(all), 0);
+  const Count count = on_somebody(all, scans, positions, 20, scans.size());
+  EXPECT_GT(count.dynamic, 0.9 * count.beams);
+  EXPECT_GT(on_wall(filtered<TypeParam>(scans, {.labels = {.keep_place = false}})), 100);
+}
+
 TYPED_TEST(ATracker, LabelsWhoStoodThereBeforeHeWent) {
   std::vector<Eigen::Vector2d> positions(60, Eigen::Vector2d(3.0, 0.5));
   walk(positions, {3.0, 0.5}, {3.0, 4.0});
