@@ -264,6 +264,37 @@ END
   expect "says nothing of what was built" test -z "$(grep -F good.o <<<"$output")"
 }
 
+says_how_far_a_long_build_is_without_a_terminal() {
+  fake nproc <<<'echo 2'
+  fake ninja <<'END'
+for ((i = 1; i <= FAKE_FILES; ++i)); do echo "[$i/$FAKE_FILES] Building $i.o"; done
+printf '#!/bin/bash\necho out\n' >"$2/bench/mapbed"
+chmod +x "$2/bench/mapbed"
+END
+  export FAKE_FILES=480
+  run "$tree/mapbed" list
+  expect_output "mapbed: building 480 files, about 5 min; messages are in $tree/build/build.log"
+  expect_output "mapbed: building 48/480"
+  expect_output "mapbed: building 480/480"
+  expect "a line for each tenth" test "$(grep -c 'mapbed: building [0-9]*/480$' <<<"$output")" == 10
+  touch "$tree/debian-packages.txt"
+  FAKE_FILES=4
+  run "$tree/mapbed" list
+  expect "nothing of a short one" test "$output" == out
+}
+
+shows_one_line_of_progress_on_a_terminal() {
+  fake ninja <<'END'
+for i in 1 2 3 4; do echo "[$i/4] Building $i.o"; done
+printf '#!/bin/bash\necho out\n' >"$2/bench/mapbed"
+chmod +x "$2/bench/mapbed"
+END
+  status=0
+  output=$(PATH=$bin:/usr/bin:/bin script -qec "'$tree/mapbed' list" /dev/null 2>&1) || status=$?
+  expect_output $'\r\e[Kbuilding [4/4] Building 4.o\r\e[K'
+  expect "one line" test "$(grep -c building <<<"$output")" == 1
+}
+
 ends_cleanly_when_interrupted() {
   fake ninja <<<'sleep 30'
   status=0
@@ -288,6 +319,7 @@ for test in passes_arguments_and_exit_status_on works_from_any_folder_and_throug
   does_not_install_unasked_without_a_terminal says_who_can_install_without_root_and_sudo \
   says_what_to_do_on_another_distribution fetches_the_lists_where_apt_does_not_know_a_package \
   shows_what_apt_said_where_it_fails shows_the_errors_of_a_failed_build_and_where_all_of_it_is \
+  says_how_far_a_long_build_is_without_a_terminal shows_one_line_of_progress_on_a_terminal \
   ends_cleanly_when_interrupted lists_every_package_under_third_party; do
   fresh
   status=0 output='' started=$SECONDS
