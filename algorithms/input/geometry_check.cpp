@@ -59,12 +59,6 @@ std::size_t clear_choice(const AgreementComparison& comparison) {
   return best;
 }
 
-std::string name_of(const RecordedLaser& laser) {
-  return laser.laser == 0   ? "front laser"
-         : laser.laser == 1 ? "rear laser"
-                            : fmt::format("laser {}", laser.laser + 1);
-}
-
 std::string percent(double fraction) {
   return fmt::format("{:.0f} %", 100.0 * fraction);
 }
@@ -104,9 +98,9 @@ void contradict(const RecordedLaser& laser, const std::vector<ScanPair>& pairs,
        fmt::format("the {} does not look where the log says: {} of the beams fit on those of scans "
                    "before, but {} if {}; if so, set log.first_bearing: "
                    "[{:.2f} deg] and log.bearing_step: {:.4f} deg",
-                   name_of(laser), percent(comparison.mean[0]), percent(comparison.mean[best]),
-                   alternatives[best - 1].what, degrees(candidates[best].first),
-                   degrees(candidates[best].step))});
+                   name_of_laser(laser.laser), percent(comparison.mean[0]),
+                   percent(comparison.mean[best]), alternatives[best - 1].what,
+                   degrees(candidates[best].first), degrees(candidates[best].step))});
 }
 
 // As they look in most of their scans.
@@ -145,7 +139,8 @@ std::vector<Remark> choose_geometry(RecordedLog& log) {
         {RemarkKind::note,
          fmt::format("where the {}'s {} beams point is ambiguous, and its scans do not tell: {} "
                      "is taken ({}); set log.field_of_view if it is another",
-                     name_of(laser), laser.beams, to_string(laser.bearings), laser.source)});
+                     name_of_laser(laser.laser), laser.beams, to_string(laser.bearings),
+                     laser.source)});
   }
   return remarks;
 }

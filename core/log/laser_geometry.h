@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@
 namespace mapbed {
 
 inline constexpr double kAbsurdRange = 1000.0;  // [m] no laser of a robot reaches farther
+// A reading of which the log's format says that it is none: no number, or nearer than the laser can
+// see. Other than 0, which LogOptions::zero is about; LogBuilder::add() makes it 0.
+inline constexpr double kNoReading = -std::numeric_limits<double>::infinity();
 
 // What CARMEN's parameters of a laser begin with, or are called. Two have names, front (0) and rear
 // (1); further ones are laser3, laser4, … as in ROBOTLASER3.

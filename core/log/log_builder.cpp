@@ -157,11 +157,37 @@ bool LogBuilder::stamp_is_usable(double time, long line) {
 }
 
 void LogBuilder::clean_ranges(LaserScan& scan, long line) {
+  Readings& readings = readings_of_laser_[scan.laser];
   for (double& r : scan.ranges) {
-    if (r >= 0.0 && r <= kAbsurdRange) continue;
+    ++readings.all;
+    if (r == 0.0) {
+      ++readings.zeros;
+      if (options_.zero == ZeroReading::no_return) r = INFINITY;
+      continue;
+    }
+    if (r > 0.0 && r <= kAbsurdRange) continue;
     if (r == INFINITY) continue;  // "nothing was hit", as some drivers write it
-    warn(line, "absurd range (negative, not a number or above 1 km): beam ignored");
+    if (r != kNoReading)
+      warn(line, "absurd range (negative, not a number or above 1 km): beam ignored");
     r = 0.0;
+  }
+}
+
+// A laser that reads 0 often, and never its maximum range, may mean that nothing came back.
+void LogBuilder::look_at_zeros() {
+  for (const Measurement& m : log_.measurements) {
+    const auto* scan = std::get_if<LaserScan>(&m);
+    if (scan == nullptr) continue;
+    for (std::size_t b = 0; b < scan->ranges.size(); ++b)
+      if (scan->is_max_range(b)) readings_of_laser_[scan->laser].zeros = 0;
+  }
+  for (const auto& [laser, readings] : readings_of_laser_) {
+    if (10 * readings.zeros <= readings.all) continue;
+    warn(0, fmt::format(
+                "{}: {:.0f} % of its readings are 0, and none is its maximum range: they "
+                "count as failed; zero: no_return, if they say that nothing was hit",
+                name_of_laser(laser),
+                100.0 * static_cast<double>(readings.zeros) / static_cast<double>(readings.all)));
   }
 }
 
@@ -208,6 +234,7 @@ void LogBuilder::forget_scans() {
   std::erase_if(log_.measurements,
                 [](const Measurement& m) { return std::holds_alternative<LaserScan>(m); });
   last_scan_of_laser_.clear();
+  readings_of_laser_.clear();
   scans_ = 0;
 }
 
@@ -279,6 +306,7 @@ RecordedLog LogBuilder::finish(const std::string& format) {
   complete_geometry();
   check_counts();
   complete_max_range(log_, options_);
+  look_at_zeros();
   if (stamps_are_lost(log_.measurements)) {
     warn(0, fmt::format("all scans have the same time stamp: taken as {} s apart",
                         options_.scan_period));

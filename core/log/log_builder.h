@@ -46,6 +46,9 @@ class LogBuilder {
   RecordedLog finish(const std::string& format);  // throws InputError
 
  private:
+  struct Readings {
+    long all = 0, zeros = 0;
+  };
   struct LastScan {
     double time = 0.0;
     std::size_t beams = 0;
@@ -56,6 +59,7 @@ class LogBuilder {
   void leave_out(long line, const std::string& reason, const std::string& example = {});
   void account(std::size_t bytes, long line);
   void clean_ranges(LaserScan& scan, long line);
+  void look_at_zeros();
   [[noreturn]] void refuse_unknown_scans(const std::map<std::size_t, long>& scans_of_beams) const;
   void complete_geometry();
   void check_counts() const;
@@ -66,6 +70,7 @@ class LogBuilder {
   RecordedLog log_;
   std::map<std::string, std::size_t> warning_of_reason_;
   std::map<int, LastScan> last_scan_of_laser_;
+  std::map<int, Readings> readings_of_laser_;  // as the log has them
   std::map<std::size_t, long> first_line_of_beams_;
   std::map<std::string, long> line_of_parameter_;
   std::map<int, Bearings> other_bearings_;  // that lines of a laser can mean, too

@@ -338,5 +338,29 @@ TEST_F(LogFile, AnEndlessLineIsRefused) {
   EXPECT_THAT(message_of(written("only.log.gz", endless)), HasSubstr("is in no log format"));
 }
 
+// As drivers that write 0 where nothing came back.
+std::string half_zeros(double highest) {
+  return "# angle_min -1.5 angle_max 1.5 angle_increment 1 range_max 11\n"
+         "1 4 0 2 0 3\n2 4 0 2 0 3\n3 4 0 2 1 " +
+         std::to_string(highest) + "\n";
+}
+
+TEST(ZeroReading, IsAFailedOneUnlessItIsSaidToBeNoReturn) {
+  EXPECT_EQ(scans_of(parse_log("a.scans", half_zeros(3.0)))[0].ranges,
+            (std::vector{0.0, 2.0, 0.0, 3.0}));
+  const RecordedLog log = parse_log("a.scans", half_zeros(3.0), {.zero = ZeroReading::no_return});
+  EXPECT_EQ(scans_of(log)[0].ranges, (std::vector{11.0, 2.0, 11.0, 3.0}));
+  EXPECT_TRUE(log.warnings.empty());
+}
+
+TEST(ZeroReading, IsToldWhereThereAreManyAndNoneIsTheMaximumRange) {
+  const std::vector<LogWarning> told = parse_log("a.scans", half_zeros(3.0)).warnings;
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_THAT(to_string(told[0]),
+              HasSubstr("front laser: 42 % of its readings are 0, and none is its "
+                        "maximum range: they count as failed; zero: no_return, if"));
+  EXPECT_TRUE(parse_log("a.scans", half_zeros(11.0)).warnings.empty());
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -10,6 +10,8 @@ namespace mapbed {
 
 enum class Stamp : int { ipc, logger };
 
+enum class ZeroReading : int { failed, no_return };
+
 // The wheels of a robot whose log holds encoder ticks; the defaults are those of the robot of the
 // CoreSLAM logs.
 struct WheelGeometry {
@@ -36,6 +38,7 @@ struct LogOptions {
   std::vector<double> first_bearing = {};     // [rad] none, or one
   double bearing_step = 0.0;                  // [rad]
   double max_range = 0.0;                     // [m] readings from here on mean: nothing was hit
+  ZeroReading zero = ZeroReading::failed;     // what a reading of 0 says
   std::vector<double> robot_from_laser = {};  // none, or x [m], y [m], theta [rad]
   std::vector<double> robot_from_rear_laser = {};  // none, or x [m], y [m], theta [rad]
   Stamp stamp = Stamp::ipc;                        // of the two stamps that a CARMEN line has
@@ -57,6 +60,8 @@ void visit_fields(LogOptions& o, Visitor&& visit) {
         "from beam to beam; 0: as detected");
   visit("max_range", o.max_range, Unit::meter, kNotNegative,
         "readings from here on mean that nothing was hit; 0: as detected");
+  visit("zero", o.zero, {"failed", "no_return"},
+        "what a reading of 0 says: nothing at all, or that nothing was hit up to max_range");
   visit("robot_from_laser", o.robot_from_laser,
         "x [m], y [m], theta [rad] of the front laser on the robot; none: as detected");
   visit("robot_from_rear_laser", o.robot_from_rear_laser,

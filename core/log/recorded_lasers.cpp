@@ -113,14 +113,16 @@ void list(RecordedLog& log, const Lasers& lasers, const LogOptions& options,
 
 }  // namespace
 
+std::string name_of_laser(int laser) {
+  if (laser > 1) return fmt::format("laser {}", laser + 1);
+  return laser == 1 ? "rear laser" : "front laser";
+}
+
 std::string to_string(const RecordedLaser& laser) {
-  const std::string name = laser.laser == 0   ? "front laser"
-                           : laser.laser == 1 ? "rear laser"
-                                              : fmt::format("laser {}", laser.laser + 1);
   const Pose2& mount = laser.robot_from_laser;
-  return fmt::format("{}: {} beams, {} ({}), at ({:.4g} m, {:.4g} m, {:.4g} deg)", name,
-                     laser.beams, to_string(laser.bearings), laser.source, mount.x, mount.y,
-                     degrees(mount.theta));
+  return fmt::format("{}: {} beams, {} ({}), at ({:.4g} m, {:.4g} m, {:.4g} deg)",
+                     name_of_laser(laser.laser), laser.beams, to_string(laser.bearings),
+                     laser.source, mount.x, mount.y, degrees(mount.theta));
 }
 
 void set_bearings(RecordedLog& log, RecordedLaser& laser, const Bearings& bearings,

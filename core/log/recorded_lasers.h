@@ -26,6 +26,8 @@ struct RecordedLaser {
   std::vector<Bearings> candidates = {};
 };
 
+std::string name_of_laser(int laser);  // "front laser", "rear laser", "laser 3"
+
 // "front laser: 360 beams, 0.5 deg from -90 deg (the number of beams, 360), at (0.1 m, 0 m, 0 deg)"
 std::string to_string(const RecordedLaser& laser);
 

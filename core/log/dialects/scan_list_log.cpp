@@ -5,6 +5,7 @@
 
 #include "core/file/tokens.h"
 #include "core/geometry/angle.h"
+#include "core/log/laser_geometry.h"
 #include "core/log/log_builder.h"
 #include "core/log/log_reader.h"
 
@@ -32,7 +33,7 @@ class ScanListReader : public LogLineReader {
     scan.bearing_step = bearing_step_;
     scan.max_range = max_range_;
     for (double& r : scan.ranges)
-      if (std::isnan(r) || (r >= 0.0 && r < min_range_)) r = 0.0;
+      if (std::isnan(r) || (r > 0.0 && r < min_range_)) r = kNoReading;
     builder_.add(std::move(scan), number);
   }
 

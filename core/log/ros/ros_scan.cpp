@@ -25,8 +25,8 @@ double beam_period_of(const RosLaserScan& message, std::string& remark) {
 }
 
 double clean_range(double range, double range_min) {
-  if (std::isnan(range) || range < range_min || range < 0.0) return 0.0;
-  return range;
+  const bool is_none = std::isnan(range) || range < range_min || range < 0.0;
+  return is_none && range != 0.0 ? kNoReading : range;
 }
 
 // [m] Mounts that come by sines and cosines are off in their last digits.

@@ -8,9 +8,9 @@
 namespace mapbed {
 
 // A scan of ours from one of ROS, by REP 117: a range of +inf says that nothing was hit; NaN, -inf
-// and what is below range_min says nothing at all; what lies above range_max is taken as nothing
-// hit, as most drivers mean it. The stamp is that of the first beam. Still to be told: which laser
-// it is of, and its mount.
+// and what is below range_min says nothing at all (kNoReading; of 0 see LogOptions::zero); what
+// lies above range_max is taken as nothing hit, as most drivers mean it. The stamp is that of the
+// first beam. Still to be told: which laser it is of, and its mount.
 struct ConvertedScan {
   LaserScan scan;
   double field_of_view = 0.0;  // [rad] from the first to the last beam, as the message says it

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/angle.h"
+#include "core/log/laser_geometry.h"
 #include "core/testing/is_near.h"
 
 namespace mapbed {
@@ -27,8 +28,9 @@ RosLaserScan message() {
 
 TEST(RosScan, RangesMeanWhatRep117Says) {
   RosLaserScan odd = message();
-  odd.ranges = {INFINITY, -INFINITY, NAN, 0.0625, 0.125};
-  EXPECT_THAT(converted(std::move(odd)).scan.ranges, ElementsAre(INFINITY, 0.0, 0.0, 0.0, 0.125));
+  odd.ranges = {INFINITY, -INFINITY, NAN, 0.0625, 0.125, 0.0};
+  EXPECT_THAT(converted(std::move(odd)).scan.ranges,
+              ElementsAre(INFINITY, kNoReading, kNoReading, kNoReading, 0.125, 0.0));
 }
 
 TEST(RosScan, AMaximumThatNoLaserHasIsNotTold) {
