@@ -87,8 +87,7 @@ double CauseMap::marginal_log_likelihood() const {
 BeamLabels CauseMap::labels(const SensorLog& log, const Trajectory& map_from_robot) const {
   BeamLabels labels;
   for_each_scan_on_path(log, map_from_robot, [&](const LaserScan& scan, const Pose2& pose) {
-    ScanLabels& of_scan = labels.emplace_back();
-    of_scan = {scan.time, scan.laser, std::vector<float>(scan.ranges.size(), kNoLabel)};
+    ScanLabels& of_scan = labels.emplace_back(unlabelled(scan));
     for_each_beam(scan, pose, options_.beams, [&](std::size_t n, const Beam& beam) {
       if (!beam.hit) return;
       const BeamTerms terms{.m_end = largest_m_about(cells_.cell_of(beam.end))};

@@ -25,8 +25,7 @@ std::vector<float> LegFilter::add(const LaserScan& scan, std::span<const float> 
       continue;
     for (std::size_t b = leg.first; b <= leg.last; ++b) weights[b] = 0.0F;
   }
-  ScanLabels& labels = labels_.emplace_back();
-  labels = {scan.time, scan.laser, std::vector<float>(scan.ranges.size(), kNoLabel)};
+  ScanLabels& labels = labels_.emplace_back(unlabelled(scan));
   for (std::size_t b = 0; b < weights.size(); ++b) {
     if (!believed.is_hit(b)) continue;
     labels.static_probability[b] = weights[b] > 0.0F ? kElsewhere : kOfALeg;

@@ -92,8 +92,7 @@ BeamLabels labels_of_people(const std::vector<KeptScan>& scans,
   labels.reserve(scans.size());
   for (std::size_t k = 0; k < scans.size(); ++k) {
     const LaserScan& scan = scans[k].readings;
-    ScanLabels& of_scan = labels.emplace_back();
-    of_scan = {scan.time, scan.laser, std::vector<float>(scan.ranges.size(), kNoLabel)};
+    ScanLabels& of_scan = labels.emplace_back(unlabelled(scan));
     for (std::size_t b = 0; b < scan.ranges.size(); ++b) {
       if (!scan.is_hit(b)) continue;
       const Eigen::Vector2d end = scans[k].local_from_robot * scan.point_on(b, scan.ranges[b]);

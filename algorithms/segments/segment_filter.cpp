@@ -97,8 +97,7 @@ FilterResult SegmentFilter::result(const Trajectory& map_from_robot) const {
   FilterResult result;
   for (const KeptScan& scan : scans_) {
     const LaserScan& readings = scan.readings;
-    ScanLabels& of_scan = result.labels.emplace_back();
-    of_scan = {readings.time, readings.laser, std::vector<float>(readings.ranges.size(), kNoLabel)};
+    ScanLabels& of_scan = result.labels.emplace_back(unlabelled(readings));
     for (std::size_t b = 0; b < readings.ranges.size(); ++b) {
       if (readings.is_hit(b)) of_scan.static_probability[b] = kElsewhere;
     }

@@ -42,8 +42,7 @@ BeamLabels labels_of_ends(std::span<const LaserScan> scans, const Trajectory& ma
                           Probability&& static_probability) {
   BeamLabels labels;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    ScanLabels& of_scan = labels.emplace_back();
-    of_scan = {scans[i].time, scans[i].laser, std::vector<float>(scans[i].ranges.size(), kNoLabel)};
+    ScanLabels& of_scan = labels.emplace_back(unlabelled(scans[i]));
     for_each_beam(scans[i], map_from_robot[i].pose, limits, [&](std::size_t n, const Beam& beam) {
       if (beam.hit) {
         of_scan.static_probability[n] =

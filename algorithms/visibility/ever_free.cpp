@@ -97,8 +97,7 @@ BeamLabels EverFree::labels(std::span<const LaserScan> scans,
   for (std::size_t i = 0; i < scans.size(); ++i) space.add(scans[i], map_from_robot[i].pose);
   BeamLabels labels;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    ScanLabels& of_scan = labels.emplace_back();
-    of_scan = {scans[i].time, scans[i].laser, std::vector<float>(scans[i].ranges.size(), kNoLabel)};
+    ScanLabels& of_scan = labels.emplace_back(unlabelled(scans[i]));
     for_each_beam(scans[i], map_from_robot[i].pose, options_.beams,
                   [&](std::size_t n, const Beam& beam) {
                     if (!beam.hit) return;

@@ -19,6 +19,11 @@ struct ScanLabels {
 
 constexpr float kNoLabel = std::numeric_limits<float>::quiet_NaN();
 
+// Of a scan of which nothing is known yet.
+inline ScanLabels unlabelled(const LaserScan& scan) {
+  return {scan.time, scan.laser, std::vector<float>(scan.ranges.size(), kNoLabel)};
+}
+
 // One for each scan that a method took in, in the order of the log.
 using BeamLabels = std::vector<ScanLabels>;
 
