@@ -2,6 +2,7 @@
 
 #include <type_traits>
 
+#include "algorithms/people/learned_people.h"
 #include "algorithms/people/leg_filter.h"
 #include "algorithms/people/tracking_filter.h"
 #include "algorithms/segments/segment_filter.h"
@@ -13,6 +14,35 @@
 
 namespace mapbed {
 namespace {
+
+// A wrong name is told with its place.
+InputFile learned_file_of(const std::string& name, const Settings& settings) {
+  try {
+    return learned_people_file(name);
+  } catch (const InputError& error) {
+    for (const Setting& setting : settings) {
+      if (setting.path == "learned") throw InputError(setting.place, error.what());
+    }
+    throw;
+  }
+}
+
+// One that follows people, by what was learned of them.
+template <class Class>
+BeamFilterEntry people_filter(const std::string& name, const std::string& about) {
+  return {name, about, [name](const Settings& settings) -> ConfiguredFilter {
+            typename Class::Options options;
+            apply(settings, options_of(options), name);
+            InputFiles files{learned_file_of(options.learned, settings)};
+            const auto learned =
+                std::make_shared<const LearnedPeople>(load_learned_people(options.learned));
+            return {to_yaml(options_of(options)),
+                    [options, learned](Rng rng) {
+                      return std::unique_ptr<BeamFilter>(new Class(options, learned, rng));
+                    },
+                    std::move(files)};
+          }};
+}
 
 // A filter whose class takes its options, and its own stream of chance where it needs one.
 template <class Class, class Options>
@@ -35,9 +65,9 @@ BeamFilterEntry filter(const std::string& name, const std::string& about,
 
 const std::vector<BeamFilterEntry>& beam_filters() {
   static const std::vector<BeamFilterEntry> table{
-      filter<PeopleFilter, PeopleFilter::Options>(
+      people_filter<PeopleFilter>(
           "people", "people who are followed by joint probabilistic data association, chapter 3"),
-      filter<KalmanPeopleFilter, KalmanPeopleFilter::Options>(
+      people_filter<KalmanPeopleFilter>(
           "kalman", "people who are followed by Kalman filters, each with the nearest feature"),
       filter<LegFilter, LegFilterOptions>("legs", "legs that moved, without a tracker, 3.4.3"),
       filter<EverFree, EverFreeOptions>(

@@ -63,7 +63,8 @@ void KalmanTracker::update(const ScanSightings& scan) {
     }
     const Sighting* sighting =
         is_seen ? &scan.sightings[static_cast<std::size_t>(sightings[i])] : nullptr;
-    filter.life.update(scan, sighting, hidden, filter.state.mean.head<2>(), options_.life);
+    filter.life.update(scan, sighting, hidden, filter.state.mean.head<2>(), options_.life,
+                       *learned_);
   }
   std::erase_if(filters_, [&](const Filter& filter) {
     return filter.life.is_over(scan.time(), filter.state.longest_sigma(), options_.life);

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "algorithms/motion/constant_velocity.h"
+#include "algorithms/people/learned_people.h"
 #include "algorithms/people/scan_sightings.h"
 #include "algorithms/people/track_life.h"
 #include "algorithms/remark.h"
@@ -44,7 +47,9 @@ class KalmanTracker {
  public:
   using Options = KalmanTrackerOptions;
 
-  KalmanTracker(const KalmanTrackerOptions& options, const Rng&) : options_(options) {}
+  KalmanTracker(const KalmanTrackerOptions& options, std::shared_ptr<const LearnedPeople> learned,
+                const Rng&)
+      : options_(options), learned_(std::move(learned)) {}
 
   void predict(double time);               // to the stamp of the next scan
   void update(const ScanSightings& scan);  // of that scan
@@ -62,6 +67,7 @@ class KalmanTracker {
   std::vector<int> assigned(const ScanSightings& scan) const;
 
   KalmanTrackerOptions options_;
+  std::shared_ptr<const LearnedPeople> learned_;
   std::vector<Filter> filters_;
   double time_ = 0.0;  // [s]
   bool has_begun_ = false;

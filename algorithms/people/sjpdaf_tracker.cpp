@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "algorithms/people/learned_people.h"
 #include "algorithms/people/occlusion.h"
 #include "core/check.h"
 
@@ -31,10 +32,12 @@ Eigen::VectorXd explained(const JointAssociation& association) {
 
 }  // namespace
 
-SjpdafTracker::SjpdafTracker(const SjpdafOptions& options, Rng rng)
+SjpdafTracker::SjpdafTracker(const SjpdafOptions& options,
+                             std::shared_ptr<const LearnedPeople> learned, Rng rng)
     : options_(options),
+      learned_(std::move(learned)),
       rng_(rng),
-      number_(learned_feature_numbers(options.detection, options.clutter, options.max_people),
+      number_(learned_->feature_numbers(options.detection, options.clutter, options.max_people),
               options.number) {}
 
 void SjpdafTracker::predict(double time) {
@@ -140,6 +143,7 @@ std::vector<double> SjpdafTracker::weights_of_missed(const ScanSightings& scan,
 // it would count an assignment once more by its likelihood.
 void SjpdafTracker::correct(const ScanSightings& scan, const Likelihoods& likelihoods,
                             const JointAssociation& association) {
+  said_.clear();
   for (std::size_t i = 0; i < filters_.size(); ++i) {
     Filter& filter = filters_[i];
     const auto row = static_cast<Eigen::Index>(i);
@@ -168,7 +172,9 @@ void SjpdafTracker::correct(const ScanSightings& scan, const Likelihoods& likeli
       const auto id = static_cast<std::uint64_t>(filter.life.id());
       filter.samples.resample(weights, rng_.stream("resampling", id, scans_));
     }
-    filter.life.update(scan, sighting, filter.hidden, filter.samples.position(), options_.life);
+    const std::optional<Evidence> found = filter.life.update(
+        scan, sighting, filter.hidden, filter.samples.position(), options_.life, *learned_);
+    if (found) said_.push_back({filter.life.id(), filter.samples.position(), *found});
   }
 }
 
@@ -182,15 +188,15 @@ void SjpdafTracker::adapt_number(const ScanSightings& scan, const JointAssociati
   }
   const Eigen::VectorXd explained = mapbed::explained(association);
   const Eigen::VectorXd of_people = association.gamma.transpose() * people;
-  int features = 0;
+  features_ = 0;
   std::vector<const Sighting*> unexplained;  // that may be somebody new
   for (std::size_t j = 0; j < scan.sightings.size(); ++j) {
     const Sighting& sighting = scan.sightings[j];
     const auto column = static_cast<Eigen::Index>(j);
-    if (sighting.moved() || of_people(column) >= 0.5) ++features;
+    if (sighting.moved() || of_people(column) >= 0.5) ++features_;
     if (explained(column) < 0.5 && sighting.may_be_new()) unexplained.push_back(&sighting);
   }
-  number_.add(features, seconds_);
+  number_.add(features_, seconds_);
   std::erase_if(filters_, [&](const Filter& filter) {
     return filter.life.is_over(scan.time(), filter.samples.spread(), options_.life);
   });

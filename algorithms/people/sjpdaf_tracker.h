@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "algorithms/people/joint_association.h"
+#include "algorithms/people/learned_people.h"
 #include "algorithms/people/people_number.h"
 #include "algorithms/people/person_particles.h"
 #include "algorithms/people/scan_sightings.h"
@@ -62,7 +64,8 @@ class SjpdafTracker {
  public:
   using Options = SjpdafOptions;
 
-  SjpdafTracker(const SjpdafOptions& options, Rng rng);
+  SjpdafTracker(const SjpdafOptions& options, std::shared_ptr<const LearnedPeople> learned,
+                Rng rng);
 
   void predict(double time);               // to the stamp of the next scan
   void update(const ScanSightings& scan);  // of that scan
@@ -72,6 +75,15 @@ class SjpdafTracker {
     return filters_[person].samples.mass_near(point, radius);
   }
   std::vector<Remark> remarks() const;
+
+  // What the newest scan said of those who are followed, also of whom it ended; to learn from.
+  struct Said {
+    int id = 0;
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();  // [m]
+    Evidence evidence;
+  };
+  const std::vector<Said>& said() const { return said_; }
+  int features() const { return features_; }  // that counted in (3.5)
   // Of whom people() tells at that place; for pictures.
   const PersonParticles& samples(std::size_t person) const { return filters_[person].samples; }
 
@@ -99,9 +111,12 @@ class SjpdafTracker {
   void begin_at(const ScanSightings& scan, std::vector<const Sighting*> sightings);
 
   SjpdafOptions options_;
+  std::shared_ptr<const LearnedPeople> learned_;
   Rng rng_;
   PeopleNumber number_;
   std::vector<Filter> filters_;
+  std::vector<Said> said_;
+  int features_ = 0;
   double time_ = 0.0;     // [s]
   double seconds_ = 0.0;  // [s] since the scan before
   bool has_begun_ = false;

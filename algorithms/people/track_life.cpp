@@ -81,8 +81,10 @@ std::optional<Evidence> TrackLife::evidence(const ScanSightings& scan, const Sig
       .kind = Evidence::Kind::step, .before = before, .left = left(scan), .is_steady = was_steady};
 }
 
-void TrackLife::update(const ScanSightings& scan, const Sighting* sighting, double hidden,
-                       const Eigen::Vector2d& position, const TrackLifeOptions& options) {
+std::optional<Evidence> TrackLife::update(const ScanSightings& scan, const Sighting* sighting,
+                                          double hidden, const Eigen::Vector2d& position,
+                                          const TrackLifeOptions& options,
+                                          const LearnedPeople& learned) {
   const double seconds = std::max(0.0, scan.time() - absence_.last_update());
   is_seen_ = sighting != nullptr;
   absence_.update(scan.time(), is_seen_, hidden);
@@ -100,10 +102,11 @@ void TrackLife::update(const ScanSightings& scan, const Sighting* sighting, doub
   // Who counts as a person stays one while he stands.
   const bool stands = is_confirmed_ && found && found->kind == Evidence::Kind::stay &&
                       found->before != SeenBefore::same;
-  if (found && !stands) log_odds_ = std::min(kMostOdds, log_odds_ + found->log_ratio());
-  if (!is_seen_) return;
+  if (found && !stands) log_odds_ = std::min(kMostOdds, log_odds_ + learned.log_ratio(*found));
+  if (!is_seen_) return found;
   const bool went = (position - start_).norm() >= options.confirm_travel;
   is_confirmed_ = is_confirmed_ || (went && probability() >= options.confirm);
+  return found;
 }
 
 double TrackLife::probability() const {

@@ -64,9 +64,11 @@ class TrackLife {
   void recall(const PastScans& past);
   // What stood before where he may be seen now, he himself apart.
   SeenBefore before(const PastScans& past, const Sighting& sighting) const;
-  // `sighting` null: he is not seen, and was hidden with a probability.
-  void update(const ScanSightings& scan, const Sighting* sighting, double hidden,
-              const Eigen::Vector2d& position, const TrackLifeOptions& options);
+  // `sighting` null: he is not seen, and was hidden with a probability. Gives what the scan said of
+  // him that was not said before.
+  std::optional<Evidence> update(const ScanSightings& scan, const Sighting* sighting, double hidden,
+                                 const Eigen::Vector2d& position, const TrackLifeOptions& options,
+                                 const LearnedPeople& learned);
 
   int id() const { return id_; }
   bool is_seen() const { return is_seen_; }

@@ -29,18 +29,19 @@ class Life : public ::testing::Test {
                             .place = {.free = free, .same = same},
                             .features = {}};
     life_.recall(scan.past);
-    life_.update(scan, &sighting, 0.0, sighting.position, options_);
+    life_.update(scan, &sighting, 0.0, sighting.position, options_, learned_);
   }
   void miss(double time, double y, double hidden) {
     const TestRoom room = rectangular_room(12.0, 10.0);
     const ScanSightings scan{ScanView(scan_of(room, {}, round_laser(), time)), {}, {}, {}, {}, {}};
-    life_.update(scan, nullptr, hidden, at(y), options_);
+    life_.update(scan, nullptr, hidden, at(y), options_, learned_);
   }
   void walk(double from, double until, ScanBits free, ScanBits same) {
     for (double t = from; t < until; t += 0.1) sight(t, t, free, same);
   }
 
   TrackLifeOptions options_;
+  LearnedPeople learned_ = load_learned_people("corridor_and_museum");
   TrackLife life_;
 };
 

@@ -31,11 +31,19 @@ std::vector<float> product(std::vector<float> weights, std::span<const float> ot
 }  // namespace
 
 template <class Tracker>
-TrackingFilter<Tracker>::TrackingFilter(const Options& options, Rng rng)
+TrackingFilter<Tracker>::TrackingFilter(const Options& options,
+                                        std::shared_ptr<const LearnedPeople> learned, Rng rng)
     : options_(options),
+      learned_(std::move(learned)),
       rng_(rng),
       front_end_(options.front_end),
-      tracker_(options.tracker, rng_.stream("forward")) {}
+      tracker_(options.tracker, learned_, rng_.stream("forward")) {}
+
+template <class Tracker>
+TrackingFilter<Tracker>::TrackingFilter(const Options& options, Rng rng)
+    : TrackingFilter(options,
+                     std::make_shared<const LearnedPeople>(load_learned_people(options.learned)),
+                     rng) {}
 
 template <class Tracker>
 std::vector<float> TrackingFilter<Tracker>::add(const LaserScan& scan,
@@ -68,7 +76,7 @@ std::vector<bool> TrackingFilter<Tracker>::surely_on_people(
 // The same scans again, the last one first, by a clock that runs backwards.
 template <class Tracker>
 std::vector<TrackHistory::States> TrackingFilter<Tracker>::followed_back() const {
-  Tracker tracker(options_.tracker, rng_.stream("backward"));
+  Tracker tracker(options_.tracker, learned_, rng_.stream("backward"));
   RecentScans later(options_.front_end.recent);
   TrackHistory history;
   for (std::size_t k = scans_.size(); k-- > 0;) {

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "algorithms/beam_filter.h"
 #include "algorithms/people/kalman_tracker.h"
+#include "algorithms/people/learned_people.h"
 #include "algorithms/people/people_front_end.h"
 #include "algorithms/people/sjpdaf_tracker.h"
 #include "algorithms/people/track_history.h"
@@ -22,6 +25,7 @@ enum class PeopleInAlignment : int {
 
 template <class TrackerOptions>
 struct TrackingFilterOptions {
+  std::string learned = "corridor_and_museum";
   PeopleInAlignment alignment = PeopleInAlignment::weights;
   double alignment_box = 0.4;  // [m]
   double footprint = 0.35;     // [m]
@@ -34,6 +38,8 @@ struct TrackingFilterOptions {
 
 template <class TrackerOptions, class Visitor>
 void visit_fields(TrackingFilterOptions<TrackerOptions>& o, Visitor&& visit) {
+  visit("learned", o.learned,
+        "what was learned of people and of all else: a file in algorithms/people/people_models");
   visit("alignment", o.alignment, {"weights", "boxes", "none"},
         "how people are kept out of the alignment of scans");
   visit("alignment_box", o.alignment_box, Unit::meter, between(0.0, 10.0),
@@ -63,6 +69,8 @@ class TrackingFilter : public BeamFilter {
  public:
   using Options = TrackingFilterOptions<typename Tracker::Options>;
 
+  // `learned` as options.learned names it; without it, it is read here.
+  TrackingFilter(const Options& options, std::shared_ptr<const LearnedPeople> learned, Rng rng);
   TrackingFilter(const Options& options, Rng rng);
 
   void add(const Odometry& reading) override { front_end_.add(reading); }
@@ -82,6 +90,7 @@ class TrackingFilter : public BeamFilter {
   std::vector<TrackHistory::States> followed_back() const;
 
   Options options_;
+  std::shared_ptr<const LearnedPeople> learned_;
   Rng rng_;
   PeopleFrontEnd front_end_;
   Tracker tracker_;

@@ -2,6 +2,7 @@
 #include "bench/experiments/experiment.h"
 #include "bench/experiments/known_poses.h"
 #include "bench/experiments/laser_readings.h"
+#include "bench/experiments/learned_people.h"
 #include "bench/experiments/log_faults.h"
 #include "bench/experiments/matching_basin.h"
 #include "bench/experiments/motion_models.h"
@@ -16,7 +17,7 @@ const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> table{
       slam_experiment(),           odds_vs_counting_experiment(), known_poses_experiment(),
       end_points_experiment(),     matching_basin_experiment(),   motion_models_experiment(),
-      laser_readings_experiment(), log_faults_experiment(),
+      laser_readings_experiment(), log_faults_experiment(),       learned_people_experiment(),
   };
   return table;
 }

@@ -48,7 +48,10 @@ bool is_hidden(const KeptScan& scan, const FollowedPerson& person) {
 }  // namespace
 
 PeopleDrive::PeopleDrive(const FigureLog& log, const PeopleFilter::Options& options)
-    : log_(log), options_(options), filter_(options, Rng(kSeed)) {
+    : log_(log),
+      options_(options),
+      learned_(std::make_shared<const LearnedPeople>(load_learned_people(options.learned))),
+      filter_(options, learned_, Rng(kSeed)) {
   follow(log.log, filter_, [&] {
     people_.push_back(filter_.tracker().people());
     return true;
@@ -159,7 +162,7 @@ PeopleMoment PeopleDrive::moment(const PeopleFilter& filter) const {
 
 std::vector<PeopleMoment> PeopleDrive::moments(const std::vector<std::size_t>& scans) const {
   std::vector<PeopleMoment> moments;
-  PeopleFilter filter(options_, Rng(kSeed));
+  PeopleFilter filter(options_, learned_, Rng(kSeed));
   auto next = scans.begin();
   follow(log_.log, filter, [&] {
     while (next != scans.end() && filter.scans().size() == *next + 1) {

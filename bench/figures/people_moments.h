@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -59,6 +60,7 @@ class PeopleDrive {
 
   const FigureLog& log_;
   PeopleFilter::Options options_;
+  std::shared_ptr<const LearnedPeople> learned_;
   PeopleFilter filter_;                              // at the end of the drive
   std::vector<std::vector<FollowedPerson>> people_;  // at each scan
 };

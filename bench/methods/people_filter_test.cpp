@@ -10,6 +10,7 @@ namespace mapbed {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 ChosenMethod matching() {
@@ -60,6 +61,18 @@ TEST(PeopleFilter, StandsInFrontOfTheMethodWithItsOptions) {
   const Estimate estimate = estimator->estimate();
   ASSERT_TRUE(estimate.labels.has_value());
   EXPECT_EQ(estimate.labels->size(), estimate.trajectory.size());
+}
+
+TEST(PeopleFilter, WhatWasLearnedOfPeopleIsAFileThatARunIsMadeOf) {
+  for (const char* name : {"people", "kalman"}) {
+    const ChosenMethod method = filtered({std::string("people_filter=") + name});
+    ASSERT_EQ(method.files.size(), 1U);
+    EXPECT_THAT(method.files[0].path, EndsWith("people_models/corridor_and_museum.yaml"));
+    EXPECT_THAT(method.filter_yaml, HasSubstr("learned: corridor_and_museum"));
+  }
+  EXPECT_TRUE(filtered({"people_filter=legs"}).files.empty());
+  EXPECT_INPUT_ERROR(filtered({"people_filter=people", "people_filter.learned=museum"}),
+                     "unknown people model 'museum'");
 }
 
 TEST(PeopleFilter, WrongNamesAndOptionsAreTold) {

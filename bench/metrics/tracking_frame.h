@@ -14,6 +14,7 @@ struct TrueObject {
   // False: nobody is asked to find it (hidden, too far away, it does not move), nor blamed for it.
   bool counts = true;
   bool is_hidden = false;  // by something nearer; who hides does not count
+  bool has_moved = true;   // since it came into view
 };
 
 // Who was held to be there.

@@ -81,6 +81,7 @@ TrackingFrames by_appearance(TrackingFrames frames, const WhoCountsOptions& opti
         of.has_moved = of.has_moved || (object.position - of.start).norm() > options.least_move;
       }
       object.id = of.number;
+      object.has_moved = of.has_moved;
       object.counts = object.counts && of.has_moved;
     }
   }
