@@ -13,8 +13,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "algorithms/people/leg_features.h"
-#include "algorithms/people/scan_view.h"
+#include "algorithms/people/front_end/leg_features.h"
+#include "algorithms/people/front_end/scan_view.h"
 #include "algorithms/people/tracking_filter.h"
 #include "core/file/text_file.h"
 #include "core/log/log_description.h"

@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-#include "algorithms/people/occlusion.h"
+#include "algorithms/people/front_end/occlusion.h"
 #include "core/assignment.h"
 
 namespace mapbed {

@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "algorithms/motion/constant_velocity.h"
+#include "algorithms/people/front_end/scan_sightings.h"
 #include "algorithms/people/learned_people.h"
-#include "algorithms/people/scan_sightings.h"
 #include "algorithms/people/track_life.h"
 #include "algorithms/remark.h"
 #include "core/config/option.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "algorithms/people/moved_features.h"
+#include "algorithms/people/front_end/moved_features.h"
 #include "algorithms/people/people_number.h"
 #include "core/config/option.h"
 #include "core/file/input_file.h"

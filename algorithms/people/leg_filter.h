@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "algorithms/beam_filter.h"
-#include "algorithms/people/people_front_end.h"
+#include "algorithms/people/front_end/people_front_end.h"
 #include "core/config/option.h"
 
 namespace mapbed {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "algorithms/people/scan_sightings.h"
+#include "algorithms/people/front_end/scan_sightings.h"
 #include "core/geometry/trajectory.h"
 #include "core/labels/beam_labels.h"
 

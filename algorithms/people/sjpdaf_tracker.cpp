@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/people/occlusion.h"
+#include "algorithms/people/front_end/occlusion.h"
 #include "core/check.h"
 
 namespace mapbed {

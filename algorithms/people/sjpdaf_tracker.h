@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
+#include "algorithms/people/front_end/scan_sightings.h"
 #include "algorithms/people/joint_association.h"
 #include "algorithms/people/learned_people.h"
 #include "algorithms/people/people_number.h"
 #include "algorithms/people/person_particles.h"
-#include "algorithms/people/scan_sightings.h"
 #include "algorithms/people/track_life.h"
 #include "algorithms/remark.h"
 #include "core/config/option.h"

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "algorithms/people/scan_sightings.h"
+#include "algorithms/people/front_end/scan_sightings.h"
 #include "algorithms/people/track_life.h"
 #include "core/geometry/trajectory.h"
 #include "core/labels/beam_labels.h"

@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "algorithms/people/absence.h"
+#include "algorithms/people/front_end/scan_sightings.h"
 #include "algorithms/people/learned_people.h"
-#include "algorithms/people/scan_sightings.h"
 #include "core/config/option.h"
 
 namespace mapbed {

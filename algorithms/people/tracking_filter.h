@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "algorithms/beam_filter.h"
+#include "algorithms/people/front_end/people_front_end.h"
 #include "algorithms/people/kalman_tracker.h"
 #include "algorithms/people/learned_people.h"
-#include "algorithms/people/people_front_end.h"
 #include "algorithms/people/sjpdaf_tracker.h"
 #include "algorithms/people/track_history.h"
 #include "core/config/option.h"

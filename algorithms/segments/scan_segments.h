@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "algorithms/people/moved_features.h"
-#include "algorithms/people/scan_view.h"
+#include "algorithms/people/front_end/moved_features.h"
+#include "algorithms/people/front_end/scan_view.h"
 #include "core/config/option.h"
 #include "core/geometry/pose2.h"
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/people/people_front_end.h"
+#include "algorithms/people/front_end/people_front_end.h"
 #include "algorithms/scan/beam_weights.h"
 
 namespace mapbed {

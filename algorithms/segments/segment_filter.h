@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "algorithms/beam_filter.h"
-#include "algorithms/people/local_frame.h"
+#include "algorithms/people/front_end/local_frame.h"
 #include "algorithms/people/track_history.h"
 #include "algorithms/segments/segment_tracker.h"
 #include "core/config/option.h"

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "algorithms/people/absence.h"
-#include "algorithms/people/moved_features.h"
+#include "algorithms/people/front_end/moved_features.h"
 #include "core/config/option.h"
 
 namespace mapbed {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "algorithms/people/occlusion.h"
+#include "algorithms/people/front_end/occlusion.h"
 
 namespace mapbed {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <map>
 
-#include "algorithms/people/occlusion.h"
+#include "algorithms/people/front_end/occlusion.h"
 #include "algorithms/scan/level_lasers.h"
 #include "core/input_error.h"
 

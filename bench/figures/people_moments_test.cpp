@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "algorithms/people/occlusion.h"
+#include "algorithms/people/front_end/occlusion.h"
 #include "algorithms/people/testing/people_in_a_room.h"
 #include "bench/figures/people_figures.h"
 #include "bench/figures/range_profile.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "algorithms/people/leg_features.h"
+#include "algorithms/people/front_end/leg_features.h"
 #include "core/image/image.h"
 
 namespace mapbed {

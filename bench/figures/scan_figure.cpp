@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/people/occlusion.h"
+#include "algorithms/people/front_end/occlusion.h"
 #include "bench/figures/figure_sheet.h"
 #include "bench/figures/plane_panel.h"
 #include "bench/figures/range_profile.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "algorithms/people/scan_view.h"
+#include "algorithms/people/front_end/scan_view.h"
 #include "bench/metrics/true_causes.h"
 #include "sim/actors/person_body.h"
 

@@ -1,4 +1,4 @@
-#include "algorithms/people/local_frame.h"
+#include "algorithms/people/front_end/local_frame.h"
 
 namespace mapbed {
 

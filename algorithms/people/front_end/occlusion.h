@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "algorithms/people/scan_view.h"
+#include "algorithms/people/front_end/scan_view.h"
 
 namespace mapbed {
 

@@ -1,4 +1,4 @@
-#include "algorithms/people/scan_view.h"
+#include "algorithms/people/front_end/scan_view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "algorithms/people/people_front_end.h"
+#include "algorithms/people/front_end/people_front_end.h"
 
 #include <utility>
 

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "algorithms/people/leg_features.h"
-#include "algorithms/people/moved_features.h"
+#include "algorithms/people/front_end/leg_features.h"
+#include "algorithms/people/front_end/moved_features.h"
 #include "core/config/option.h"
 #include "core/geometry/pose2.h"
 

@@ -1,9 +1,9 @@
-#include "algorithms/people/moved_features.h"
+#include "algorithms/people/front_end/moved_features.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "algorithms/people/sightings.h"
+#include "algorithms/people/front_end/sightings.h"
 #include "algorithms/people/testing/people_in_a_room.h"
 
 namespace mapbed {

@@ -1,4 +1,4 @@
-#include "algorithms/people/occlusion.h"
+#include "algorithms/people/front_end/occlusion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "algorithms/people/sightings.h"
+#include "algorithms/people/front_end/sightings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "algorithms/people/moved_features.h"
+#include "algorithms/people/front_end/moved_features.h"
 
 #include <algorithm>
 #include <bit>

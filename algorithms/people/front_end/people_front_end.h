@@ -3,11 +3,11 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/people/leg_features.h"
-#include "algorithms/people/local_frame.h"
-#include "algorithms/people/moved_features.h"
-#include "algorithms/people/scan_sightings.h"
-#include "algorithms/people/sightings.h"
+#include "algorithms/people/front_end/leg_features.h"
+#include "algorithms/people/front_end/local_frame.h"
+#include "algorithms/people/front_end/moved_features.h"
+#include "algorithms/people/front_end/scan_sightings.h"
+#include "algorithms/people/front_end/sightings.h"
 #include "core/config/option.h"
 #include "core/sensor/laser_scan.h"
 #include "core/sensor/odometry.h"

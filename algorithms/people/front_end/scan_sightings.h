@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "algorithms/people/leg_features.h"
-#include "algorithms/people/scan_view.h"
-#include "algorithms/people/sightings.h"
+#include "algorithms/people/front_end/leg_features.h"
+#include "algorithms/people/front_end/scan_view.h"
+#include "algorithms/people/front_end/sightings.h"
 #include "core/geometry/pose2.h"
 
 namespace mapbed {

@@ -1,4 +1,4 @@
-#include "algorithms/people/leg_features.h"
+#include "algorithms/people/front_end/leg_features.h"
 
 #include <cmath>
 
