@@ -58,7 +58,8 @@ template <class Visitor>
 void visit_fields(CountingOptions& o, Visitor&& visit) {
   visit("first", o.first, Unit::second, kPositive,
         "since the tracker took something up, in which is counted what is said of it");
-  visit("near", o.near, Unit::meter, kPositive, "of somebody who walks: it is he");
+  visit("near", o.near, Unit::meter, kPositive,
+        "of somebody who has walked since he came into view: it is he");
   visit("far", o.far, Unit::meter, kPositive, "from everybody: it is anything else");
   visit("least_seen", o.least_seen, between(1e-6, 1e6),
         "times that an evidence is counted besides as often of people as of anything else, so that "

@@ -33,6 +33,14 @@ TEST(ByAppearance, CountsNobodyBeforeHeFirstWalks) {
   EXPECT_THAT(counting(frames), ElementsAre(false, false, true, true, true));
 }
 
+TEST(ByAppearance, TellsWhoHasWalkedAlsoWhileHeIsHidden) {
+  const TrackingFrames frames = by_appearance(walk({1.0, 2.0, 3.0}, {true, true, false}), {});
+  EXPECT_THAT(counting(frames), ElementsAre(false, true, false));
+  std::vector<bool> has_moved;
+  for (const TrackingFrame& frame : frames) has_moved.push_back(frame.truth[0].has_moved);
+  EXPECT_THAT(has_moved, ElementsAre(false, true, true));
+}
+
 TEST(ByAppearance, NumbersAnewWhoWasAwayForLong) {
   const std::vector<bool> in_view{true, true, false, false, true, false, false, false, true, true};
   const TrackingFrames frames =
