@@ -15,6 +15,7 @@
 #include "bench/cli/output_folder.h"
 #include "bench/cli/progress.h"
 #include "bench/process/folder_lock.h"
+#include "bench/process/foreign_files.h"
 #include "bench/process/process_cost.h"
 #include "bench/process/stopwatch.h"
 #include "bench/process/thread_limit.h"
@@ -75,8 +76,7 @@ std::string folder_for(const MapArguments& arguments) {
   if (other.empty() || other == arguments.log || fs::equivalent(other, arguments.log, error)) {
     return folder;
   }
-  throw InputError({folder}, "holds the map of another log, " + in_quotes(other),
-                   "name a folder with --out");
+  refuse_of_another_log(folder, "the map", other, "", "name a folder with --out");
 }
 
 void check_folder(const std::string& folder, const MapConfig& config) {

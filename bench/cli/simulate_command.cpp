@@ -17,6 +17,7 @@
 #include "bench/sources/files_record.h"
 #include "bench/sources/log_source.h"
 #include "bench/sources/simulated_log.h"
+#include "bench/sources/simulation_files.h"
 #include "core/data_path.h"
 #include "core/file/atomic_file.h"
 #include "core/input_error.h"
@@ -112,6 +113,7 @@ int simulate(SimulateArguments arguments) {
   check_output(arguments.log, format);
   const SimulationToRun to_run =
       while_told("building the world", [&] { return simulation_of(arguments); });
+  refuse_files_of_another_log(log, format, to_run.simulation, to_run.seed);
   const Stopwatch stopwatch;
   const SimulationResult result = told_simulation(to_run);
   const double seconds = stopwatch.seconds();

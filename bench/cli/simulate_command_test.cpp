@@ -102,6 +102,36 @@ TEST_F(SimulateCommand, ReplacesItsOwnFilesAndNoOthers) {
   }
 }
 
+TEST_F(SimulateCommand, TakesTheTruthFromNoLogOfAnotherDrive) {
+  const auto drive = [](const std::string& log, const std::string& seed) {
+    return std::vector<std::string>{"simulate", "--world", "corridor",
+                                    "--robot",  "pioneer", "--people",
+                                    "0",        "--set",   "recorder.longest=2 s",
+                                    "--seed",   seed,      "-o",
+                                    log};
+  };
+  ASSERT_EQ(call(drive("a.log", "1")).status, 0);
+  const std::string truth = text("a.truth.gz");
+  expect_refusal(drive("a.mcap", "2"),
+                 "a.config.yaml: holds the drive of another log, 'a.log' ('seed: 1', here 'seed: "
+                 "2'); a.config.yaml, a.truth.gz, a.tum, a_map.pgm, a_map.yaml would be written "
+                 "over; name another log with --out");
+  std::vector<std::string> longer = drive("a.mcap", "1");
+  longer.insert(longer.end(), {"--set", "recorder.longest=3 s"});
+  expect_refusal(longer, "('recorder.longest: 2 s', here 'recorder.longest: 3 s')");
+  EXPECT_TRUE(text("a.truth.gz") == truth);
+  EXPECT_FALSE(fs::exists(path("a.mcap")));
+
+  std::vector<std::string> folder = drive("a", "1");
+  folder.insert(folder.end(), {"--format", "ros2"});
+  EXPECT_EQ(call(folder).status, 0) << "the same drive in another format";
+  EXPECT_TRUE(text("a.truth.gz") == truth);
+  expect_refusal(drive("a.log", "2"), "a.config.yaml: holds the drive of another log, 'a' (");
+  fs::remove_all(path("a"));
+  EXPECT_EQ(call(drive("a.log", "2")).status, 0) << "its own files are replaced";
+  EXPECT_FALSE(text("a.truth.gz") == truth);
+}
+
 TEST_F(SimulateCommand, TheSameSeedGivesTheSameBytes) {
   ASSERT_EQ(call(short_drive("a.log")).status, 0);
   ASSERT_EQ(call(short_drive("b.log")).status, 0);

@@ -21,6 +21,7 @@
 #include "bench/results/result_folder.h"
 #include "bench/scenario/testing/own_files.h"
 #include "bench/sources/log_source.h"
+#include "bench/sources/simulation_files.h"
 #include "core/file/csv_file.h"
 #include "core/file/text_file.h"
 #include "core/geometry/tum_file.h"

@@ -23,4 +23,9 @@ void refuse_foreign(const std::string& path) {
                    "move it away, or choose another folder");
 }
 
+void refuse_of_another_log(const std::string& path, const std::string& held, const std::string& log,
+                           const std::string& detail, const std::string& remedy) {
+  throw InputError({path}, "holds " + held + " of another log, " + in_quotes(log) + detail, remedy);
+}
+
 }  // namespace mapbed

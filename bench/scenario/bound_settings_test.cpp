@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "bench/scenario/runner.h"
-#include "bench/sources/simulate.h"
+#include "bench/sources/simulation_files.h"
 #include "core/data_path.h"
 #include "core/file/hash.h"
 #include "core/file/text_file.h"

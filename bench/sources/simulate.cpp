@@ -82,95 +82,6 @@ Robot without_noise(Robot robot, const RecorderOptions& recorder) {
   return robot;
 }
 
-// "dir/name.log.gz" -> "dir/name"
-std::string stem_of(std::string path) {
-  while (path.size() > 1 && path.ends_with('/')) path.pop_back();  // of a bag of ROS 2
-  for (const char* ending : {".gz", ".log", ".clf", ".rawlog", ".bag", ".mcap"}) {
-    if (path.ends_with(ending)) path.resize(path.size() - std::string(ending).size());
-  }
-  return path;
-}
-
-void write_true_map(const std::string& stem, const PreparedSimulation& simulation) {
-  RasterOptions options;
-  options.height = lasers_of(simulation.robot).front().robot_from_laser.z;
-  const TrueMap map = raster(*simulation.world, options);
-  MapServerMap file{
-      .occupancy = Image<float>(map.width, map.height, MapServerMap::kUnknown),
-      .resolution = map.resolution,
-      .map_from_image = {map.origin.x(), map.origin.y(), 0.0},
-  };
-  for (int y = 0; y < map.height; ++y) {
-    for (int x = 0; x < map.width; ++x) {
-      const TrueCell cell = map.at(x, y);
-      if (cell == TrueCell::free) file.occupancy.at(x, map.height - 1 - y) = 0.0F;
-      if (cell == TrueCell::occupied) file.occupancy.at(x, map.height - 1 - y) = 1.0F;
-    }
-  }
-  write_map_server(stem + "_map", file);
-}
-
-// A drive too short for a relation has no such file, nor an older one of its name.
-void write_relations(const std::string& path, const Trajectory& truth) {
-  const std::string text = relations_text(truth);
-  if (text.empty()) {
-    std::filesystem::remove(path);
-  } else {
-    write_text_file(path, text);
-  }
-}
-
-constexpr const char* kConfig = ".config.yaml";
-constexpr const char* kBeside[] = {kConfig, ".truth.gz", ".relations",
-                                   ".tum",  "_map.pgm",  "_map.yaml"};
-
-// The configuration first: it says whose the others are, also after a kill.
-void write_beside(const std::string& stem, const SimulationResult& result,
-                  const Trajectory& truth) {
-  write_text_file(stem + kConfig,
-                  fmt::format("seed: {}\n", result.seed) + result.simulation.config +
-                      result.simulation.faults.complete_yaml + files_yaml(result.simulation.files));
-  write_truth(stem + ".truth.gz", result.recording.truth);
-  write_relations(stem + ".relations", truth);
-  write_trajectory(stem + ".tum", truth);
-  write_true_map(stem, result.simulation);
-}
-
-// Whether that configuration is one that write_beside has written.
-bool is_of_simulation(const std::string& path) {
-  if (!std::filesystem::exists(path)) return false;
-  try {
-    const ConfigNode config = load_config(path);
-    for (const char* key : {"seed", "world", "robot", "path", "driver", "files"}) {
-      if (config.find(key) == nullptr) return false;
-    }
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-// The log itself, or what is written into its folder.
-std::vector<std::string> files_of(const std::string& log_path, const LogFormat& format) {
-  if (!format.is_folder) return {log_path};
-  const auto files = files_of_rosbag2(log_path);
-  return {files.begin(), files.end()};
-}
-
-// What else is in the folder of a bag would be taken for a part of it.
-void refuse_foreign_folder(const std::string& folder, bool is_ours) {
-  if (!std::filesystem::exists(folder)) return;
-  if (!std::filesystem::is_directory(folder)) {
-    throw InputError({folder}, "is a file, and bags of ROS 2 are folders", "name a folder");
-  }
-  const auto files = files_of_rosbag2(folder);
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const bool is_coming =
-        std::find(files.begin(), files.end(), entry.path().string()) != files.end();
-    if (!is_ours || !is_coming) refuse_foreign(entry.path().string());
-  }
-}
-
 }  // namespace
 
 const SimulationParts::BuiltWorld& SimulationParts::world(const std::string& name,
@@ -291,10 +202,6 @@ SimulationResult run_simulation(PreparedSimulation simulation, std::uint64_t see
   return run_watched_simulation(std::move(simulation), seed, {});
 }
 
-bool is_simulated_log(const std::string& log_path) {
-  return is_of_simulation(stem_of(log_path) + kConfig);
-}
-
 SimulationResult run_watched_simulation(PreparedSimulation simulation, std::uint64_t seed,
                                         const Driven& driven) {
   SimulationResult result{.simulation = std::move(simulation), .seed = seed};
@@ -305,36 +212,6 @@ SimulationResult run_watched_simulation(PreparedSimulation simulation, std::uint
   const Trajectory truth = trajectory_of(result.recording.truth);
   result.log = broken(std::move(result.log), truth, faults, Rng(seed)).log;
   return result;
-}
-
-void write_simulation(const std::string& log_path, const SimulationResult& result,
-                      const LogFormat& format) {
-  const Trajectory truth = trajectory_of(result.recording.truth);
-  if (format.is_folder || !is_special_file(log_path)) {  // else nothing stands beside it
-    // Behind a link, which stays.
-    for (const std::string& file : files_of(log_path, format)) {
-      if (std::filesystem::exists(file)) {
-        std::filesystem::remove(std::filesystem::canonical(file));
-      }
-    }
-    write_beside(stem_of(log_path), result, truth);
-  }
-  RecordedLog log;
-  log.format = "CARMEN";
-  log.measurements = result.log;
-  log.true_poses = truth;
-  format.write(log_path, log);
-}
-
-void refuse_foreign_simulation_files(const std::string& log_path, const LogFormat& format) {
-  if (!format.is_folder && is_special_file(log_path)) return;
-  const std::filesystem::path stem = stem_of(log_path);
-  const bool is_ours = is_of_simulation(stem.string() + kConfig);
-  if (format.is_folder) refuse_foreign_folder(log_path, is_ours);
-  std::vector<std::string> coming;
-  for (const char* ending : kBeside) coming.push_back(stem.filename().string() + ending);
-  refuse_foreign(stem.parent_path().string(), coming,
-                 is_ours ? coming : std::vector<std::string>{});
 }
 
 }  // namespace mapbed

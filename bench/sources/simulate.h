@@ -9,7 +9,6 @@
 #include "core/config/configured.h"
 #include "core/config/settings.h"
 #include "core/interrupted.h"
-#include "core/log/log_formats.h"
 #include "core/log/sensor_log.h"
 #include "sim/drivers/drivers.h"
 #include "sim/recorder.h"
@@ -79,16 +78,5 @@ struct SimulationResult {
 // All of the above, noise and faults.
 SimulationResult run_simulation(PreparedSimulation simulation, std::uint64_t seed);
 SimulationResult run_simulation(const SimulationPlan& plan, std::uint64_t seed);
-
-// Beside LOG = name.log[.gz]: name.truth.gz, name.relations (where the drive is long enough for
-// one), name.tum (true poses), name_map.pgm and .yaml (true map at the first laser's height),
-// name.config.yaml. LOG comes last: while there is none, what stands beside belongs to nothing.
-void write_simulation(const std::string& log_path, const SimulationResult& result,
-                      const LogFormat& format = log_formats().front());
-
-// Throws InputError where one of those beside it would take the place of somebody else's file; LOG
-// itself is replaced whatever it is, but for a folder that a simulation did not write.
-void refuse_foreign_simulation_files(const std::string& log_path,
-                                     const LogFormat& format = log_formats().front());
 
 }  // namespace mapbed

@@ -9,6 +9,7 @@
 #include <tbb/task_arena.h>
 
 #include "bench/sources/log_source.h"
+#include "bench/sources/simulation_files.h"
 #include "core/file/text_file.h"
 #include "core/log/dialects/carmen_log.h"
 #include "core/testing/temporary_folder.h"

@@ -16,7 +16,4 @@ using Driven = std::function<void(double meters)>;
 SimulationResult run_watched_simulation(PreparedSimulation simulation, std::uint64_t seed,
                                         const Driven& driven);
 
-// Whether the configuration beside it says that a simulation has written this log.
-bool is_simulated_log(const std::string& log_path);
-
 }  // namespace mapbed

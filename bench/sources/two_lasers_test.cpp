@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "bench/sources/simulate.h"
+#include "bench/sources/simulation_files.h"
 #include "core/file/atomic_file.h"
 #include "core/geometry/angle.h"
 #include "core/log/log_file.h"

@@ -6,7 +6,7 @@
 
 #include "bench/results/figures.h"
 #include "bench/scenario/run_scenario.h"
-#include "bench/sources/simulate.h"
+#include "bench/sources/simulation_files.h"
 #include "core/file/text_file.h"
 
 namespace mapbed {
