@@ -118,6 +118,25 @@ TEST_F(Evaluate, PrintsErrorsAgainstTruthAndWritesThemAll) {
   EXPECT_THAT(json, HasSubstr("\"over_path\""));
 }
 
+// At 0 and 10 s there is truth; at -1 and 11 there is none yet or any more, at 5 it has a gap.
+TEST_F(Evaluate, TellsOfPosesThatHaveNoTruth) {
+  write("longer.txt", "-1 0 0 0\n0 0 0 0\n5 5 0 0\n10 10 0 0\n11 11 0 0\n");
+  const auto against = [&](const char* truth) {
+    return run_mapbed({"evaluate", path("longer.txt"), "--truth", path(truth), "--json",
+                       path("errors.json")})
+        .out;
+  };
+  EXPECT_THAT(against("truth.txt"),
+              HasSubstr("truth: 2 of 2 true poses have an estimate within 0.01 s\n"
+                        "estimate: 2 of 5 poses have a true one; 3 are not compared: 2 before or "
+                        "after all truth, 1 between true poses\n"));
+  const std::string json = read_text_file(path("errors.json"));
+  EXPECT_THAT(json, HasSubstr("\"estimated_poses\": 5"));
+  EXPECT_THAT(json, HasSubstr("\"estimated_poses_with_truth\": 2"));
+  EXPECT_THAT(json, HasSubstr("\"estimated_poses_outside_truth\": 2"));
+  EXPECT_THAT(against("longer.txt"), HasSubstr("\nestimate: 5 of 5 poses have a true one\n"));
+}
+
 TEST_F(Evaluate, ReplacesItsOwnFiguresAndNoOthers) {
   const auto into = [&](const std::string& file) {
     return run_mapbed({"evaluate", path("estimate.tum"), "--relations", path("some.relations"),

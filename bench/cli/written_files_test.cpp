@@ -217,6 +217,7 @@ TEST_F(WrittenFiles, OfAnEvaluation) {
   EXPECT_EQ(json.at("relations").at("count"), 3);
   EXPECT_EQ(json.at("relations").at("mean_translation_m"), 0.25);
   EXPECT_EQ(json.at("truth").at("pairs"), 4);
+  EXPECT_EQ(json.at("truth").at("estimated_poses"), 4);
   EXPECT_TRUE(json.at("truth").at("over_path").is_object()) << "though the path is too short";
 }
 

@@ -21,6 +21,26 @@ Trajectory sorted_by_time(Trajectory trajectory) {
   return trajectory;
 }
 
+// How many have one of the others within that time [s].
+int count_with_partner(const Trajectory& poses, const Trajectory& others, double difference) {
+  const auto has_partner = [&](const Stamped<Pose2>& pose) {
+    const auto later = std::lower_bound(
+        others.begin(), others.end(), pose.time,
+        [](const Stamped<Pose2>& other, double time) { return other.time < time; });
+    return (later != others.end() && later->time - pose.time <= difference) ||
+           (later != others.begin() && pose.time - (later - 1)->time <= difference);
+  };
+  return static_cast<int>(std::count_if(poses.begin(), poses.end(), has_partner));
+}
+
+int count_outside(const Trajectory& poses, const Trajectory& others, double difference) {
+  const auto is_outside = [&](const Stamped<Pose2>& pose) {
+    return others.front().time - pose.time > difference ||
+           pose.time - others.back().time > difference;
+  };
+  return static_cast<int>(std::count_if(poses.begin(), poses.end(), is_outside));
+}
+
 std::string name_of(const RelativeErrorOptions& options) {
   return fmt::format("RPE, every {:g} {}{}", options.delta,
                      options.unit == PathUnit::frames ? "frames" : "m",
@@ -56,9 +76,26 @@ std::string rows_of(const RelationsError& error) {
          row_of("rotation", Unit::radian, error.mean_rotation, error.sigma_rotation);
 }
 
+// Of what is not compared, why.
+std::string row_of_estimated(const TruthErrors& errors) {
+  const int left = errors.estimated_poses - errors.estimated_with_truth;
+  const int between = left - errors.estimated_outside;
+  std::string text = fmt::format("estimate: {} of {} poses have a true one",
+                                 errors.estimated_with_truth, errors.estimated_poses);
+  if (left == 0) return text + "\n";
+  text += fmt::format("; {} {} not compared:", left, left == 1 ? "is" : "are");
+  if (errors.estimated_outside > 0)
+    text += fmt::format(" {} before or after all truth", errors.estimated_outside);
+  if (errors.estimated_outside > 0 && between > 0) text += ",";
+  if (between > 0) text += fmt::format(" {} between true poses", between);
+  return text + "\n";
+}
+
 std::string rows_of(const TruthErrors& errors) {
-  return fmt::format("truth: {} of {} true poses have an estimate within {:g} s\n", errors.pairs,
-                     errors.true_poses, errors.options.max_time_difference) +
+  return fmt::format("truth: {} of {} true poses have an estimate within {:g} s\n",
+                     errors.true_with_estimate, errors.true_poses,
+                     errors.options.max_time_difference) +
+         row_of_estimated(errors) +
          fmt::format("  {:<18} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "", "rmse", "mean",
                      "median", "std", "min", "max") +
          rows_of("ATE, after alignment", errors.absolute) +
@@ -94,6 +131,10 @@ Json json_of(const TruthErrors& errors) {
   const Pose2& alignment = errors.world_from_map;
   return {
       {"true_poses", errors.true_poses},
+      {"true_poses_with_estimate", errors.true_with_estimate},
+      {"estimated_poses", errors.estimated_poses},
+      {"estimated_poses_with_truth", errors.estimated_with_truth},
+      {"estimated_poses_outside_truth", errors.estimated_outside},
       {"pairs", errors.pairs},
       {"max_time_difference_s", options.max_time_difference},
       {"world_from_map", {alignment.x, alignment.y, alignment.theta}},
@@ -120,8 +161,13 @@ TruthErrors compare_with_truth(Trajectory estimate, Trajectory truth, const Trut
         estimate.empty() ? 0.0 : estimate.back().time, truth.empty() ? 0.0 : truth.front().time,
         truth.empty() ? 0.0 : truth.back().time));
   }
+  const double within = options.max_time_difference;
   TruthErrors errors{.options = options,
                      .true_poses = static_cast<int>(truth.size()),
+                     .true_with_estimate = count_with_partner(truth, estimate, within),
+                     .estimated_poses = static_cast<int>(estimate.size()),
+                     .estimated_with_truth = count_with_partner(estimate, truth, within),
+                     .estimated_outside = count_outside(estimate, truth, within),
                      .pairs = static_cast<int>(pairs.size()),
                      .world_from_map = alignment(pairs)};
   errors.absolute = absolute_error(pairs, errors.world_from_map);

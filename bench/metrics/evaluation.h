@@ -19,7 +19,11 @@ struct TruthOptions {
 struct TruthErrors {
   TruthOptions options;
   int true_poses = 0;
-  int pairs = 0;              // estimated poses with a true one of the same moment
+  int true_with_estimate = 0;  // of the same moment, as below
+  int estimated_poses = 0;
+  int estimated_with_truth = 0;
+  int estimated_outside = 0;  // before the first true pose or after the last one
+  int pairs = 0;              // that are compared: of the trajectory with fewer poses
   Pose2 world_from_map;       // the alignment before `absolute`
   PoseErrors absolute = {};   // ATE
   PoseErrors relative = {};   // RPE
