@@ -82,6 +82,7 @@ addEventListener("load", () => {
     if (a.left < b.left || a.right > b.right || a.top < b.top || a.bottom > b.bottom) outside += `${text.textContent}; `;
   }
   result.dataset.outside = outside;
+  result.dataset.scrolls = String([...page.querySelectorAll(".wide")].some((x) => x.scrollWidth > x.clientWidth));
   result.dataset.tooWide = page.documentElement.scrollWidth - page.documentElement.clientWidth;
   result.dataset.text = page.documentElement.clientWidth;
 });
@@ -141,6 +142,7 @@ TEST_P(Browser, ShowsAScenariosPage) {
       seen_in_browser(read_text_file(folder_.file("example/report.html")), GetParam());
   EXPECT_EQ(seen.console, "");
   EXPECT_THAT(result_of(seen), HasSubstr("data-too-wide=\"0\""));
+  EXPECT_THAT(result_of(seen), HasSubstr("data-scrolls=\"false\"")) << "tables stand in the page";
   EXPECT_THAT(result_of(seen), HasSubstr("data-sorted=\"descending\""));
   EXPECT_THAT(result_of(seen), HasSubstr("data-drawn=\"true\""));
   // What is called dynamic and who is followed are seen, until their boxes are cleared.

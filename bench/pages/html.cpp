@@ -34,13 +34,15 @@ std::vector<std::size_t> columns_with_values(const HtmlTable& table) {
   return columns;
 }
 
-std::string html_of(const HtmlCell& cell) {
+// With its column's name, which a narrow page shows before it.
+std::string html_of(const HtmlCell& cell, const std::string& column) {
   constexpr std::size_t kShort = 24;  // [bytes] stays on one line; the table scrolls
   const char* style = cell.is_number               ? " class=\"number\""
                       : cell.html.size() <= kShort ? " class=\"short\""
                                                    : "";
   const std::string sort_by = cell.is_number ? fmt::format(" data-value=\"{}\"", cell.sort_by) : "";
-  return fmt::format("<td{}{}>{}</td>", style, sort_by, cell.html);
+  return fmt::format("<td data-name=\"{}\"{}{}>{}</td>", xml_escaped(column), style, sort_by,
+                     cell.html);
 }
 
 }  // namespace
@@ -88,7 +90,7 @@ std::string html_of(const HtmlTable& table) {
   for (const std::vector<HtmlCell>& row : table.rows) {
     CHECK(row.size() == table.head.size());
     text += "<tr>";
-    for (const std::size_t i : columns) text += html_of(row[i]);
+    for (const std::size_t i : columns) text += html_of(row[i], table.head[i]);
     text += "</tr>\n";
   }
   return text + "</tbody>\n</table></div>\n";

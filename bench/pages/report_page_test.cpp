@@ -56,7 +56,7 @@ TEST_F(ReportPage, CountsFailedRunsAndSaysWhyTheyFailed) {
 TEST_F(ReportPage, ShowsAnglesInDegreesAndTheExactValueAsToolTip) {
   const std::string html = page();
   EXPECT_THAT(html, HasSubstr(">28.65</span>")) << "0.5 rad";
-  EXPECT_THAT(html, HasSubstr("<td class=\"short\">deg</td>"));
+  EXPECT_THAT(html, HasSubstr("<td data-name=\"unit\" class=\"short\">deg</td>"));
   EXPECT_THAT(html, HasSubstr("<span title=\"0.125\">0.125</span>"));
   EXPECT_THAT(html, HasSubstr("0.4 to 0.6"));
 }
