@@ -17,10 +17,11 @@ Remark remark_on(const Tracks& tracks) {
   std::size_t states = 0;
   for (const ObjectTrack& track : tracks) states += track.states.size();
   if (tracks.empty()) return {RemarkKind::note, "people: nobody was seen to move"};
-  return {
-      RemarkKind::note,
-      fmt::format("people: {} were followed, each through {:.1f} scans in the mean", tracks.size(),
-                  static_cast<double>(states) / static_cast<double>(tracks.size()))};
+  return {RemarkKind::note,
+          fmt::format(
+              "people: {} {} of {:.1f} scans in the mean; who is lost and found again has several",
+              tracks.size(), tracks.size() == 1 ? "track" : "tracks",
+              static_cast<double>(states) / static_cast<double>(tracks.size()))};
 }
 
 std::vector<float> product(std::vector<float> weights, std::span<const float> others) {

@@ -253,6 +253,7 @@ TYPED_TEST(ATracker, NeedsNoOdometry) {
   all.result = filter.result(path);
   expect_sound(all, scans);
   EXPECT_THAT(*all.result.tracks, SizeIs(1));
+  EXPECT_THAT(all.result.remarks[0].text, ::testing::StartsWith("people: 1 track of "));
 }
 
 TYPED_TEST(ATracker, TakesScansWithoutBeamsAndOfOneMoment) {

@@ -107,7 +107,8 @@ FilterResult SegmentFilter::result(const Trajectory& map_from_robot) const {
   if (options_.follow_back) label_back(result.labels);
   result.tracks = tracks_of_people(scans_, things, map_from_robot);
   result.remarks.push_back(
-      {RemarkKind::note, fmt::format("segments: {} that moved were followed", things.size())});
+      {RemarkKind::note, fmt::format("segments: {} {} of what moved", things.size(),
+                                     things.size() == 1 ? "track" : "tracks")});
   return result;
 }
 
