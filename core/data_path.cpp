@@ -64,6 +64,16 @@ std::string with_whole_path(const std::string& value, const SourceLocation& plac
   return is_surely_path(value) || leads_somewhere ? path.string() : value;
 }
 
+std::string name_or_path_suggestion(const std::string& word, const std::vector<std::string>& names,
+                                    const FilesCalledSo& files) {
+  const SourceLocation& place = files.place;
+  const fs::path folder = place.line > 0 ? fs::path(place.file).parent_path() : fs::path();
+  for (const std::string& ending : files.endings) {
+    if (is_file(folder / (word + ending))) return "did you mean ./" + word + ending + "?";
+  }
+  return suggestion(word, names);
+}
+
 std::filesystem::path data_home() {
   if (const char* home = std::getenv("MAPBED_HOME"); home != nullptr && *home != '\0') {
     if (is_folder(home)) return home;
@@ -80,7 +90,7 @@ std::filesystem::path data_home() {
 }
 
 std::filesystem::path find_data_file(const std::string& kind, const std::string& folder,
-                                     const std::string& name_or_path) {
+                                     const std::string& name_or_path, const FilesCalledSo& files) {
   if (looks_like_path(name_or_path)) {
     if (is_file(name_or_path)) return name_or_path;
     throw InputError(name_or_path + ": there is no such file; give the path of a " + kind +
@@ -88,12 +98,8 @@ std::filesystem::path find_data_file(const std::string& kind, const std::string&
   }
   const fs::path path = data_home() / folder / (name_or_path + ".yaml");
   if (is_file(path)) return path;
-  const std::vector<std::string> names = data_names(folder);
-  const std::string near = nearest(name_or_path, names);
-  std::string known;
-  for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-  throw InputError("unknown " + kind + " '" + name_or_path + "'; " +
-                   (near.empty() ? "known are " + known : "did you mean '" + near + "'?"));
+  throw InputError("unknown " + kind + " " + in_quotes(name_or_path) + "; " +
+                   name_or_path_suggestion(name_or_path, data_names(folder), files));
 }
 
 std::string portable_path(const std::string& path) {

@@ -4,9 +4,22 @@
 #include <string>
 #include <vector>
 
+#include "core/input_error.h"
+
 namespace mapbed {
 
-struct SourceLocation;
+// A word may be a name or the path of a file. Where it is no name that is known, a file may be
+// meant that is called so and ends in one of `endings`, in the folder from which paths at `place`
+// count (with_whole_path).
+struct FilesCalledSo {
+  SourceLocation place = {};
+  std::vector<std::string> endings{".yaml"};
+};
+
+// "did you mean ./mine.yaml?" where there is such a file, else the suggestion() of the names: the
+// remedy of an InputError.
+std::string name_or_path_suggestion(const std::string& word, const std::vector<std::string>& names,
+                                    const FilesCalledSo& files = {});
 
 // The folder that holds robots/, scenarios/ and the like: the environment's MAPBED_HOME; else the
 // installed share/mapbed beside the running program, or where the library was installed; else the
@@ -17,7 +30,8 @@ std::filesystem::path data_home();
 // a '/' or ends in .yaml). Throws InputError with the nearest name where there is none; `kind` is
 // what the message calls it ("robot").
 std::filesystem::path find_data_file(const std::string& kind, const std::string& folder,
-                                     const std::string& name_or_path);
+                                     const std::string& name_or_path,
+                                     const FilesCalledSo& files = {});
 
 // Where the file is that a value names, from the root: a relative path counts from the folder of
 // the file in which the value stands, `place`; one without a line stands on the command line, and

@@ -49,6 +49,18 @@ TEST(DataPath, UnknownNamesGetASuggestion) {
                      "my/robot.yaml: there is no such file");
 }
 
+TEST(DataPath, AnUnknownNameMayMeanAFileThatIsCalledSo) {
+  const TemporaryFolder folder;
+  const FilesCalledSo beside{.place = {folder.file("x.yaml"), 3}, .endings = {".yaml", ".log"}};
+  EXPECT_EQ(name_or_path_suggestion("mine", {"mines"}, beside), "did you mean 'mines'?");
+  std::ofstream(folder.file("mine.log")) << "a log";
+  EXPECT_EQ(name_or_path_suggestion("mine", {"mines"}, beside), "did you mean ./mine.log?");
+  std::ofstream(folder.file("mine.yaml")) << "a description";
+  EXPECT_EQ(name_or_path_suggestion("mine", {"mines"}, beside), "did you mean ./mine.yaml?");
+  EXPECT_INPUT_ERROR(find_data_file("robot", "robots", "mine", beside),
+                     "unknown robot 'mine'; did you mean ./mine.yaml?");
+}
+
 TEST(WholePath, CountsFromTheFolderOfTheFileThatNamesIt) {
   const SourceLocation place{"/home/ann/scenarios/x.yaml", 3};
   EXPECT_EQ(with_whole_path("room.yaml", place), "/home/ann/scenarios/room.yaml");

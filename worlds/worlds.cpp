@@ -1,6 +1,5 @@
 #include "worlds/worlds.h"
 
-#include "core/config/suggestion.h"
 #include "core/data_path.h"
 #include "core/input_error.h"
 #include "worlds/corridor/corridor.h"
@@ -61,7 +60,7 @@ Configured<World()> configure_world(const std::string& name, const Settings& set
     }
     names.push_back(file);
   }
-  throw InputError("unknown world '" + name + "'; " + suggestion(name, names));
+  throw InputError("unknown world '" + name + "'; " + name_or_path_suggestion(name, names));
 }
 
 World build_world(const std::string& name, const Settings& settings) {

@@ -9,9 +9,11 @@
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/describe/file_text.h"
+#include "bench/sources/chosen_log.h"
 #include "core/config/permitted_values.h"
 #include "core/config/settings.h"
 #include "core/config/suggestion.h"
+#include "core/data_path.h"
 #include "core/file/tokens.h"
 #include "core/input_error.h"
 
@@ -84,7 +86,9 @@ int describe(const std::string& name) {
   }
   const std::string options = options_called(name);
   if (options.empty()) {
-    const std::string nearest = suggestion(name, names);  // or all of them, which are too many
+    // Or all of them, which are too many.
+    const std::string nearest =
+        name_or_path_suggestion(name, names, {.endings = endings_of_logs()});
     throw InputError({}, "there is nothing called " + in_quotes(name),
                      nearest.starts_with("did you mean")
                          ? nearest

@@ -162,6 +162,43 @@ TEST_F(MapCommand, OdometryAloneNeedsALogWithSome) {
   EXPECT_FALSE(fs::exists(path("scans_map")));
 }
 
+TEST_F(MapCommand, DrawsThePictureThatTheReadmeShows) {
+  if (__builtin_cpu_supports("fma") == 0) GTEST_SKIP() << "no fused multiply-add";
+  ASSERT_EQ(call({"map", "example"}).status, 0);
+  EXPECT_TRUE(text("example_map/picture.png") ==
+              read_text_file(source_tree() + "/docs/example.png"))
+      << "another picture: copy that of 'mapbed map example' there";
+}
+
+// A bare word is a name, also where a file is called so.
+TEST_F(MapCommand, AsOtherCommandsAsksForTheFileThatIsCalledLikeAnUnknownName) {
+  write("mine.yaml", "about: mine\n");
+  write("method.yaml",
+        "world: office\nrobot: pioneer\nestimator: mine\n"
+        "metrics: [translation_error]\n");
+  expect_refusal({"map", "room"}, "unknown log 'room'; did you mean ./room.log?");
+  expect_refusal({"describe", "room"}, "there is nothing called 'room'; did you mean ./room.log?");
+  const std::string meant = "; did you mean ./mine.yaml?";
+  expect_refusal({"run", "mine"}, "unknown scenario 'mine'" + meant);
+  expect_refusal({"run", "./method.yaml"}, "unknown method 'mine'" + meant);
+  expect_refusal({"render", "mine", "-o", "x.png"}, "unknown world 'mine'" + meant);
+  expect_refusal({"map", "room.log", "--method", "mine"}, "unknown method 'mine'" + meant);
+  const std::vector<std::string> drive{"simulate", "--world", "office", "-o", "x.log", "--robot"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), drive.begin(), drive.end());
+    return more;
+  };
+  expect_refusal(with({"mine"}), "unknown robot 'mine'" + meant);
+  expect_refusal(with({"pioneer", "--set", "robot.front.sensor=mine"}),
+                 "unknown sensor 'mine'" + meant);
+}
+
+TEST_F(MapCommand, WhatIsNoLogIsToldSo) {
+  write("README.md", "# A title\n\nA text that was not recorded.\nWith two lines.\n");
+  expect_refusal({"map", "README.md"}, "README.md: is in no log format that is known here; known");
+  EXPECT_FALSE(fs::exists(path("README_map")));
+}
+
 TEST_F(MapCommand, SaysWhatIsWrongWithItsOptions) {
   write("wrong.yaml", "map:\n  resolutoin: 5 cm\n");
   write("not.yaml", "map: [1, 2\n");

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/config/suggestion.h"
+#include "core/data_path.h"
 #include "core/input_error.h"
 
 namespace mapbed {
@@ -19,7 +19,8 @@ void check_method(const std::string& name, const SourceLocation& place) {
   std::vector<std::string> names = program_method_names();
   for (const Method& method : methods()) names.push_back(method.name);
   std::sort(names.begin(), names.end());
-  throw InputError(place, "unknown method " + in_quotes(name), suggestion(name, names));
+  throw InputError(place, "unknown method " + in_quotes(name),
+                   name_or_path_suggestion(name, names, {.place = place}));
 }
 
 const Setting* estimator_in(const Settings& settings) {

@@ -23,10 +23,15 @@ bool is_name_of_log(const std::string& log) {
 
 }  // namespace
 
+std::vector<std::string> endings_of_logs() {
+  return {".yaml", ".log", ".clf", ".bag", ".mcap", ".log.gz", ".clf.gz"};
+}
+
 ChosenLog chosen_log(const std::string& log) {
   std::string description = log;
   if (is_name_of_log(log)) {
-    description = find_data_file("log", "scenarios/logs", log).string();
+    description =
+        find_data_file("log", "scenarios/logs", log, {.endings = endings_of_logs()}).string();
   }
   if (!description.ends_with(".yaml")) {
     return {log, {}, fs::is_regular_file(log) ? input_file(log).sha256 : ""};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/log/log_options.h"
 
@@ -16,5 +17,8 @@ struct ChosenLog {
 // By its path, by the path of its description (.yaml), or by its name in scenarios/logs. Throws
 // InputError.
 ChosenLog chosen_log(const std::string& log);
+
+// What names of logs and of their descriptions mostly end in: ".yaml", ".log", …
+std::vector<std::string> endings_of_logs();
 
 }  // namespace mapbed

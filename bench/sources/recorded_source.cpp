@@ -9,6 +9,7 @@
 
 #include "algorithms/input/geometry_check.h"
 #include "bench/metrics/pairs.h"
+#include "bench/sources/chosen_log.h"
 #include "bench/sources/source_settings.h"
 #include "core/config/yaml_scalar.h"
 #include "core/data_path.h"
@@ -34,7 +35,8 @@ void refuse_path_that_looks_like_a_name(const Setting& log) {
 std::string path_of(const Setting& log) {
   const bool is_path = log.text.find('/') != std::string::npos;
   if (!is_path) refuse_path_that_looks_like_a_name(log);
-  if (!is_path) return find_data_file("log", "scenarios/logs", log.text).string();
+  const FilesCalledSo files{log.place, endings_of_logs()};
+  if (!is_path) return find_data_file("log", "scenarios/logs", log.text, files).string();
   if (std::filesystem::exists(log.text)) return log.text;
   throw InputError(log.place, in_quotes(log.text) + " is neither a file nor a folder",
                    "give the path of a log or one of the names that 'mapbed list logs' shows");

@@ -48,20 +48,18 @@ bool is_complete(std::string_view bytes) {
 std::unique_ptr<LogReader> make_reader(const std::string& name, std::string_view bytes,
                                        const LogOptions& options, bool& is_bag) {
   const LogBeginning beginning = beginning_of(bytes);
-  std::string known;
   for (const LogDialect& dialect : log_dialects()) {
     if (dialect.fits(beginning)) {
       is_bag = dialect.is_bag;
       return dialect.make_reader(name, options);
     }
-    known += (known.empty() ? "" : ", ") + std::string(dialect.name);
   }
   if (!is_text(bytes))
     throw InputError({name}, "is neither text nor a bag of ROS that is known here",
                      "logs are read as plain text, gzipped text, bags of ROS 1 and 2 and MCAP");
   if (beginning.line.empty())
     throw InputError({name}, "is empty", "a log has lines such as FLASER or ROBOTLASER1");
-  throw InputError({name}, "is in no log format that is known here", "known are " + known);
+  refuse_unknown_text(name);
 }
 
 // The log's first seconds.

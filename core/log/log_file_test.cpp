@@ -244,6 +244,8 @@ TEST(BadLog, WhatIsNoLogIsRefused) {
       message_of("{\"a\": 1}\n"),
       "a.log: is in no log format that is known here; known are DP-SLAM, CARMEN, `t n ranges` "
       "lines, CoreSLAM, bags of ROS 1, bags of ROS 2, MCAP");
+  EXPECT_THAT(message_of("# Title\n\nA text, as it is.\nWith two sentences.\n"),
+              HasSubstr("a.log: is in no log format that is known here; known are DP-SLAM"));
   EXPECT_THAT(message_of("1 2 3\n"), HasSubstr("is in no log format that is known here"));
 }
 

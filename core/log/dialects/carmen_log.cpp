@@ -11,6 +11,7 @@
 
 #include "core/file/tokens.h"
 #include "core/geometry/angle.h"
+#include "core/log/dialects/dialects.h"
 #include "core/log/log_builder.h"
 #include "core/log/log_reader.h"
 
@@ -68,6 +69,7 @@ class CarmenReader : public LogLineReader {
     const std::string_view kind = tokens.word();
     if (kind[0] == '#') return;
     line_ = number;
+    ++messages_;
     if (kind == "FLASER") return read_laser(tokens, 0);
     if (kind == "RLASER") return read_laser(tokens, 1);
     if (kind == "ODOM") return read_odometry(tokens);
@@ -79,7 +81,11 @@ class CarmenReader : public LogLineReader {
     skip(kind);
   }
 
-  RecordedLog finish_lines() override { return builder_.finish("CARMEN"); }
+  // Any text that begins with a capital comes here.
+  RecordedLog finish_lines() override {
+    if (messages_ == unknown_) refuse_unknown_text(builder_.name());
+    return builder_.finish("CARMEN");
+  }
 
  private:
   struct LastScan {
@@ -240,6 +246,7 @@ class CarmenReader : public LogLineReader {
   }
 
   void skip(std::string_view kind) {
+    ++unknown_;
     const bool is_name =
         std::isalpha(static_cast<unsigned char>(kind[0])) != 0 && kind.size() <= 32;
     if (is_name && known_kinds_.size() < 50) known_kinds_.emplace(kind);
@@ -251,6 +258,8 @@ class CarmenReader : public LogLineReader {
 
   LogBuilder builder_;
   long line_ = 0;
+  long messages_ = 0;
+  long unknown_ = 0;         // of them, of no kind that is read
   double last_stamp_ = 0.0;  // [s]
   bool has_raw_scans_ = false;
   bool has_robot_scans_ = false;

@@ -16,4 +16,11 @@ std::span<const LogDialect> log_dialects() {
   return dialects;
 }
 
+void refuse_unknown_text(const std::string& name) {
+  std::string known;
+  for (const LogDialect& dialect : log_dialects())
+    known += (known.empty() ? "" : ", ") + std::string(dialect.name);
+  throw InputError({name}, "is in no log format that is known here", "known are " + known);
+}
+
 }  // namespace mapbed
