@@ -64,6 +64,11 @@ std::string with_whole_path(const std::string& value, const SourceLocation& plac
   return is_surely_path(value) || leads_somewhere ? path.string() : value;
 }
 
+const FilesCalledSo& yaml_files() {
+  static const FilesCalledSo files{.place = {}, .endings = {".yaml"}};
+  return files;
+}
+
 std::string name_or_path_suggestion(const std::string& word, const std::vector<std::string>& names,
                                     const FilesCalledSo& files) {
   const SourceLocation& place = files.place;

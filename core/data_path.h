@@ -13,13 +13,15 @@ namespace mapbed {
 // count (with_whole_path).
 struct FilesCalledSo {
   SourceLocation place = {};
-  std::vector<std::string> endings{".yaml"};
+  std::vector<std::string> endings = {};
 };
+
+const FilesCalledSo& yaml_files();  // in the working folder
 
 // "did you mean ./mine.yaml?" where there is such a file, else the suggestion() of the names: the
 // remedy of an InputError.
 std::string name_or_path_suggestion(const std::string& word, const std::vector<std::string>& names,
-                                    const FilesCalledSo& files = {});
+                                    const FilesCalledSo& files = yaml_files());
 
 // The folder that holds robots/, scenarios/ and the like: the environment's MAPBED_HOME; else the
 // installed share/mapbed beside the running program, or where the library was installed; else the
@@ -31,7 +33,7 @@ std::filesystem::path data_home();
 // what the message calls it ("robot").
 std::filesystem::path find_data_file(const std::string& kind, const std::string& folder,
                                      const std::string& name_or_path,
-                                     const FilesCalledSo& files = {});
+                                     const FilesCalledSo& files = yaml_files());
 
 // Where the file is that a value names, from the root: a relative path counts from the folder of
 // the file in which the value stands, `place`; one without a line stands on the command line, and

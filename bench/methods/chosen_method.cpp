@@ -20,7 +20,7 @@ void check_method(const std::string& name, const SourceLocation& place) {
   for (const Method& method : methods()) names.push_back(method.name);
   std::sort(names.begin(), names.end());
   throw InputError(place, "unknown method " + in_quotes(name),
-                   name_or_path_suggestion(name, names, {.place = place}));
+                   name_or_path_suggestion(name, names, {.place = place, .endings = {".yaml"}}));
 }
 
 const Setting* estimator_in(const Settings& settings) {
