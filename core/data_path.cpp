@@ -45,7 +45,8 @@ fs::path path_below(const fs::path& folder, const fs::path& path) {
 // Of what lies in data_home(), which may be a source tree with anything in it: the data files
 // alone.
 bool is_shipped(const fs::path& below_home) {
-  for (const char* folder : {"algorithms/motion/motion_models", "robots", "scenarios", "worlds"}) {
+  for (const char* folder : {"algorithms/motion/motion_models", "algorithms/people/people_models",
+                             "robots", "scenarios", "worlds"}) {
     const fs::path inner = below_home.lexically_relative(folder);
     if (!inner.empty() && *inner.begin() != "..") return true;
   }

@@ -82,6 +82,17 @@ TEST(PortablePath, CountsFromTheFolderOfTheDataFiles) {
   EXPECT_EQ(portable_path("/tmpfs/robots/b21r.yaml"), "/tmpfs/robots/b21r.yaml");
 }
 
+TEST(PortablePath, OfEveryParameterFileIsTheSameOnEveryMachine) {
+  int files = 0;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(data_home() / "algorithms")) {
+    if (entry.path().extension() != ".yaml") continue;
+    ++files;
+    EXPECT_TRUE(portable_path(entry.path().string()).starts_with("algorithms/")) << entry.path();
+  }
+  EXPECT_GT(files, 5) << "looked in the wrong place";
+}
+
 // From another source tree it would lead to another file, or to none.
 TEST(PortablePath, OfSomebodysFileInTheSourceTreeIsWhole) {
   const Home home("/tmp");
