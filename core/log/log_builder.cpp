@@ -73,6 +73,15 @@ void make_up_stamps(SensorLog& log, double period) {
   }
 }
 
+bool reads_maximum_range(const RecordedLog& log, int laser) {
+  return std::any_of(log.measurements.begin(), log.measurements.end(), [&](const Measurement& m) {
+    const auto* scan = std::get_if<LaserScan>(&m);
+    if (scan == nullptr || scan->laser != laser) return false;
+    return std::any_of(scan->ranges.begin(), scan->ranges.end(),
+                       [&](double r) { return r >= scan->max_range; });
+  });
+}
+
 }  // namespace
 
 LogBuilder::LogBuilder(std::string name, const LogOptions& options, Place counted)
@@ -175,14 +184,8 @@ void LogBuilder::clean_ranges(LaserScan& scan, long line) {
 
 // A laser that reads 0 often, and never its maximum range, may mean that nothing came back.
 void LogBuilder::look_at_zeros() {
-  for (const Measurement& m : log_.measurements) {
-    const auto* scan = std::get_if<LaserScan>(&m);
-    if (scan == nullptr) continue;
-    for (std::size_t b = 0; b < scan->ranges.size(); ++b)
-      if (scan->is_max_range(b)) readings_of_laser_[scan->laser].zeros = 0;
-  }
   for (const auto& [laser, readings] : readings_of_laser_) {
-    if (10 * readings.zeros <= readings.all) continue;
+    if (10 * readings.zeros <= readings.all || reads_maximum_range(log_, laser)) continue;
     warn(0, fmt::format(
                 "{}: {:.0f} % of its readings are 0, and none is its maximum range: they "
                 "count as failed; zero: no_return, if they say that nothing was hit",
