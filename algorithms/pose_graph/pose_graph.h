@@ -18,6 +18,8 @@ template <>
 inline constexpr int kDegreesOfFreedom<Pose3> = 6;
 
 template <class Pose>
+using PoseTangent = Eigen::Matrix<double, kDegreesOfFreedom<Pose>, 1>;
+template <class Pose>
 using PoseInformation = Eigen::Matrix<double, kDegreesOfFreedom<Pose>, kDegreesOfFreedom<Pose>>;
 
 // A measurement of where one node of a graph lies in the frame of another, (6.4). Its error is that
@@ -39,6 +41,16 @@ template <class Pose>
 struct PoseGraph {
   std::vector<Pose> nodes;  // map_from_node, as they are believed now
   std::vector<PoseConstraint<Pose>> constraints;
+  // Nodes that keep their pose. In a component of the graph that has none, its first node does.
+  std::vector<int> held = {};
 };
+
+// The number of the component that each node is in, from 0 in the order of their first nodes.
+template <class Pose>
+std::vector<int> components_of(const PoseGraph<Pose>& graph);
+
+// For each node whether it keeps its pose.
+template <class Pose>
+std::vector<bool> held_nodes(const PoseGraph<Pose>& graph);
 
 }  // namespace mapbed

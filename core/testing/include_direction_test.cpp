@@ -77,6 +77,8 @@ const std::vector<Confined> kConfined = {
     {"box2d/", {"sim/physics/"}},
     {"btBullet", {"sim/physics/"}},
     {"bullet/", {"sim/physics/"}},
+    {"Eigen/Sparse", {"algorithms/pose_graph/"}},
+    {"Eigen/OrderingMethods", {"algorithms/pose_graph/"}},
     {"GL/", {"sim/render/"}},
     {"opencv2/", {"core/image/"}},
     {"benchmark/", {"bench/micro/"}},
