@@ -7,6 +7,7 @@
 #include "algorithms/odometry_estimator.h"
 #include "algorithms/rbpf/grid_slam.h"
 #include "algorithms/scan_matching/incremental_matcher.h"
+#include "algorithms/submaps/graph_slam.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
 
@@ -25,19 +26,26 @@ void check_together(const GridSlamOptions& options, const Settings& settings) {
                    "choose proposal 'scan_matching' or 'improved', or leave use_odometry as it is");
 }
 
-// Only the particle filter has options that name files. A wrong name is told by options_from.
+// The errors of motions may be learned ones, by name.
 template <class Options>
-InputFiles files_named_in(const Settings& /*settings*/, const Options& /*of_method*/) {
-  return {};
-}
+constexpr bool kHasMotionModels = requires(Options o) {
+  o.matching_errors;
+};
 
-InputFiles files_named_in(const Settings& settings, const GridSlamOptions& /*of_method*/) {
-  return learned_model_files(settings);
+// Of options that name files. A wrong name is told by options_from.
+template <class Options>
+InputFiles files_named_in(const Settings& settings) {
+  if constexpr (kHasMotionModels<Options>) return learned_model_files(settings);
+  return {};
 }
 
 template <class Options>
 Options options_from(Options options, const Settings& settings, const std::string& name) {
-  apply(settings, options_of(options), name);
+  if constexpr (kHasMotionModels<Options>) {
+    apply(with_learned_models(settings), options_of(options), name);
+  } else {
+    apply(settings, options_of(options), name);
+  }
   return options;
 }
 
@@ -53,7 +61,7 @@ template <class Class, class Options>
 Method method(const std::string& name, const std::string& about, const Options& defaults = {}) {
   return {name, about, [name, defaults](const Settings& settings) -> ConfiguredMethod {
             Options options = options_from(defaults, settings, name);
-            InputFiles files = files_named_in(settings, options);
+            InputFiles files = files_named_in<Options>(settings);
             const std::string yaml = to_yaml(options_of(options));
             return {yaml,
                     [options](const Given& given, [[maybe_unused]] Rng rng) {
@@ -144,6 +152,8 @@ const std::vector<Method>& methods() {
           "maximum_likelihood",
           "the same filter, going on with its best particle alone after a loop, section 5.4.2",
           {.best_only_after_loop = true}),
+      method<GraphSlam, GraphSlamOptions>(
+          "graph", "scan matching, local maps that close loops, and a robust pose graph"),
       em_method(),
   };
   return table;

@@ -1,0 +1,30 @@
+#include "algorithms/submaps/submap.h"
+
+#include "algorithms/field/local_map.h"
+#include "core/check.h"
+
+namespace mapbed {
+
+Submap make_submap(const std::vector<SubmapScan>& scans, const SubmapOptions& options) {
+  CHECK(!scans.empty());
+  Submap submap;
+  SurfaceMeans means(options.resolution);
+  for (const SubmapScan& scan : scans) {
+    submap.path.push_back(scan.submap_from_robot);
+    submap.views.push_back(scan.view);
+    means.add(transformed(scan.surface, scan.submap_from_robot));
+  }
+  submap.surface = means.means();
+  return submap;
+}
+
+SubmapField make_field(const Submap& submap, const SubmapOptions& options, double window) {
+  SubmapField made{
+      .field = LikelihoodField({.resolution = options.resolution, .sigma = options.sigma}),
+      .pyramid = {}};
+  made.field.add(submap.surface);
+  made.pyramid = make_bound_pyramid(made.field, window);
+  return made;
+}
+
+}  // namespace mapbed
