@@ -35,7 +35,8 @@ template <class Pose>
 PoseInformation<Pose> random_information(Rng& rng) {
   PoseInformation<Pose> root;
   for (double& entry : root.reshaped()) entry = rng.normal(0.0, 1.0);
-  return 5.0 * PoseInformation<Pose>::Identity() + root * root.transpose();
+  const PoseInformation<Pose> square = root * root.transpose();
+  return 5.0 * PoseInformation<Pose>::Identity() + 0.5 * (square + square.transpose());
 }
 
 // Chords of a ring of nodes, of what is true: a chain, and every `stride`-th node to the one
