@@ -15,6 +15,8 @@ struct SubmapMatcherOptions {
   int compared_points = 400;        // of each, where two are compared
   double min_agreement = 0.75;      // of what both saw
   double min_overlap = 0.3;         // of their points both saw, at least
+  double min_overlap_far = 0.6;     // the same in windows above far_window
+  double far_window = 2.0;          // [m]
   double min_odds = 100.0;          // of the place found to any other one in the window
   double beam_weight = 0.25;        // fraction with which a point counts for these odds
   double rival_distance = 0.5;      // [m] from the place found: another one
@@ -34,6 +36,10 @@ void visit_fields(SubmapMatcherOptions& o, Visitor&& visit) {
         "fraction of what two local maps both saw that must agree");
   visit("min_overlap", o.min_overlap, kFraction,
         "fraction of their points that both must have seen");
+  visit("min_overlap_far", o.min_overlap_far, kFraction,
+        "the same where they were searched for in a window above far_window");
+  visit("far_window", o.far_window, Unit::meter, kNotNegative,
+        "where a match must convince by itself");
   visit("min_odds", o.min_odds, between(1.0, 1e12), "odds of the place found to any other one");
   visit("least_sigma", o.least_sigma, Unit::meter, kPositive, "sigma of a match at least");
   visit("least_turn_sigma", o.least_turn_sigma, Unit::radian, kPositive, "the same of its heading");
