@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/association_tree.h"
+#include "algorithms/pose_graph/pose_graph.h"
 #include "algorithms/remark.h"
 #include "core/config/unit.h"
 #include "core/geometry/trajectory.h"
@@ -39,6 +41,9 @@ struct Estimate {
   // Of methods that follow what moves, in the frame of the map.
   std::optional<Tracks> tracks = {};
   std::vector<IterationValues> iterations = {};  // of methods that iterate
+  // Of methods that have one: the path's nodes, with all constraints that are believed.
+  std::optional<PoseGraph<Pose2>> graph = {};
+  std::optional<AssociationTree> associations = {};  // of methods that search them
 };
 
 // Labels for build_map(); none where the method gives none.

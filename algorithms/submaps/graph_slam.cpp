@@ -12,6 +12,11 @@
 #include "core/geometry/angle.h"
 
 namespace mapbed {
+namespace {
+
+constexpr double kBelieved = 0.5;  // weight of a constraint
+
+}  // namespace
 
 GraphSlam::GraphSlam(const GraphSlamOptions& options, const Pose2& start)
     : options_(options), start_(start), matcher_(options.matcher), loops_(options.loops) {}
@@ -138,6 +143,14 @@ Trajectory GraphSlam::path_so_far() const {
   return carried_trajectory(track(), graph_.nodes);
 }
 
+PoseGraph<Pose2> GraphSlam::believed() const {
+  PoseGraph<Pose2> graph{.nodes = graph_.nodes, .constraints = {}};
+  for (std::size_t i = 0; i < graph_.constraints.size(); ++i) {
+    if (weights_[i] >= kBelieved) graph.constraints.push_back(graph_.constraints[i]);
+  }
+  return graph;
+}
+
 Estimate GraphSlam::estimate() const {
   if (graph_.nodes.empty()) return {};
   Estimate result = matcher_.estimate();
@@ -152,8 +165,8 @@ Estimate GraphSlam::estimate() const {
   const auto loops =
       std::count_if(graph_.constraints.begin(), graph_.constraints.end(),
                     [](const PoseConstraint<Pose2>& constraint) { return constraint.closes_loop; });
-  const auto refused =
-      std::count_if(weights_.begin(), weights_.end(), [](double weight) { return weight < 0.5; });
+  const auto refused = std::count_if(weights_.begin(), weights_.end(),
+                                     [](double weight) { return weight < kBelieved; });
   result.remarks.push_back(
       {RemarkKind::note,
        fmt::format("{} nodes, {} local maps, {} constraints that close loops, {} of them not "

@@ -40,6 +40,7 @@ class GraphSlam : public Estimator {
   void optimize_graph(bool finally);
   PosePrior error_of(const Pose2& motion, double seconds) const;
   Track track() const;
+  PoseGraph<Pose2> believed() const;
 
   GraphSlamOptions options_;
   Pose2 start_;
