@@ -1,11 +1,13 @@
 #include "algorithms/pose_graph/graph_optimizer.h"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "algorithms/pose_graph/constraint_error.h"
 #include "algorithms/pose_graph/graduated_weights.h"
 #include "algorithms/pose_graph/normal_equations.h"
+#include "algorithms/pose_graph/position_equations.h"
 #include "algorithms/pose_graph/step_control.h"
 #include "core/statistics/distributions.h"
 
@@ -64,7 +66,8 @@ struct Descent {
   bool converged = false;
 };
 
-constexpr double kNoCost = 1e-12;  // chi-square below which there is nothing to gain
+constexpr double kGoodGain = 0.75;  // of what a step promises
+constexpr double kNoCost = 1e-12;   // chi-square below which there is nothing to gain
 
 // Downhill from `position`, which is left at the lowest place that was found.
 template <class Control, class Pose>
@@ -73,6 +76,7 @@ Descent descend(const PoseGraph<Pose>& graph, const Losses& losses, Control cont
                 Position<Pose>& position) {
   Descent descent;
   bool is_new = true;
+  std::optional<PositionEquations<Pose>> positions;
   if (equations.size() == 0) return {.converged = true};
   while (descent.iterations < max_iterations) {
     if (is_new) equations.linearize(graph, position.nodes, position.weights);
@@ -83,6 +87,12 @@ Descent descend(const PoseGraph<Pose>& graph, const Losses& losses, Control cont
     const bool is_last = step->predicted <= least && control.is_free();
 
     Position<Pose> trial = position_at(graph, equations.moved(position.nodes, step->step), losses);
+    if (position.cost - trial.cost < kGoodGain * step->predicted && !is_last) {
+      if (!positions) positions.emplace(graph);
+      Position<Pose> other =
+          position_at(graph, positions->solve(graph, trial.nodes, trial.weights), losses);
+      if (other.cost < trial.cost) trial = std::move(other);
+    }
     const double decrease = position.cost - trial.cost;
     is_new = decrease > 0.0;
     if (is_new) {

@@ -35,19 +35,26 @@ class DisjointSets {
 
 }  // namespace
 
-template <class Pose>
-std::vector<int> components_of(const PoseGraph<Pose>& graph) {
-  DisjointSets sets(graph.nodes.size());
-  for (const PoseConstraint<Pose>& constraint : graph.constraints) {
-    sets.unite(constraint.from, constraint.to);
-  }
-  std::vector<int> component(graph.nodes.size());
+std::vector<int> components_of(int nodes, const std::vector<std::pair<int, int>>& joined) {
+  DisjointSets sets(static_cast<std::size_t>(nodes));
+  for (const auto& [a, b] : joined) sets.unite(a, b);
+  std::vector<int> component(static_cast<std::size_t>(nodes));
   int count = 0;
   for (std::size_t node = 0; node < component.size(); ++node) {
     const auto first = static_cast<std::size_t>(sets.first_of(static_cast<int>(node)));
     component[node] = first == node ? count++ : component[first];
   }
   return component;
+}
+
+template <class Pose>
+std::vector<int> components_of(const PoseGraph<Pose>& graph) {
+  std::vector<std::pair<int, int>> joined;
+  joined.reserve(graph.constraints.size());
+  for (const auto& constraint : graph.constraints) {
+    joined.emplace_back(constraint.from, constraint.to);
+  }
+  return components_of(static_cast<int>(graph.nodes.size()), joined);
 }
 
 template <class Pose>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -48,6 +49,7 @@ struct PoseGraph {
 // The number of the component that each node is in, from 0 in the order of their first nodes.
 template <class Pose>
 std::vector<int> components_of(const PoseGraph<Pose>& graph);
+std::vector<int> components_of(int nodes, const std::vector<std::pair<int, int>>& joined);
 
 // For each node whether it keeps its pose.
 template <class Pose>
