@@ -9,7 +9,6 @@
 #include <map>
 #include <optional>
 #include <ostream>
-#include <set>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -28,9 +27,6 @@ namespace mapbed {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Wait to be made again at full size: they are of an earlier front end.
-const std::set<std::string> kOutdated{"ch5_vs_standard_rbpf"};
 
 constexpr double kEnough = 2.6;  // [s] of processor time that the runs of a scenario took
 
@@ -127,7 +123,6 @@ class CommittedResult : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(CommittedResult, IsThatOfTheProgramOfToday) {
   if (__builtin_cpu_supports("fma") == 0) GTEST_SKIP() << "no fused multiply-add";
-  if (kOutdated.contains(GetParam())) GTEST_SKIP() << "to be made again";
   const Results committed = load_results(source_tree() + "/results/" + GetParam());
   const std::optional<ScenarioPlan> planned = plan_of(GetParam());
   if (!planned) GTEST_SKIP() << "its logs or programs are not there";
