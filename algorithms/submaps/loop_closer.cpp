@@ -14,8 +14,8 @@
 
 namespace mapbed {
 
-LoopCloser::LoopCloser(const LoopCloserOptions& options)
-    : options_(options), fields_(options.submaps, options.search.largest_window) {}
+LoopCloser::LoopCloser(const SubmapOptions& submaps, const LoopCloserOptions& options)
+    : options_(options), fields_(submaps, options.search.largest_window) {}
 
 void LoopCloser::add(Submap submap, int node) {
   submaps_.push_back(std::move(submap));

@@ -20,7 +20,6 @@ struct LoopMatch {
 };
 
 struct LoopCloserOptions {
-  SubmapOptions submaps;
   LoopSearchOptions search;
   SubmapMatcherOptions matching;
   double sure_window = 1.0;   // [m] a match in a smaller one needs no other to confirm it
@@ -30,7 +29,6 @@ struct LoopCloserOptions {
 
 template <class Visitor>
 void visit_fields(LoopCloserOptions& o, Visitor&& visit) {
-  visit("submaps", o.submaps, "pieces of the path whose maps are matched with each other");
   visit("search", o.search, "which of them are, and where");
   visit("matching", o.matching, "when two of them show the same place");
   visit("sure_window", o.sure_window, Unit::meter, kNotNegative,
@@ -47,7 +45,7 @@ void visit_fields(LoopCloserOptions& o, Visitor&& visit) {
 // the same place.
 class LoopCloser {
  public:
-  explicit LoopCloser(const LoopCloserOptions& options);
+  LoopCloser(const SubmapOptions& submaps, const LoopCloserOptions& options);
 
   // The node of the graph whose frame the local map has.
   void add(Submap submap, int node);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "algorithms/pose_graph/pose_graph.h"
@@ -43,8 +44,8 @@ struct LoopCandidate {
 
 // Where the local maps are: one node of the graph each.
 struct SubmapNodes {
-  const std::vector<Submap>& submaps;
-  const std::vector<int>& nodes;
+  std::span<const Submap> submaps;
+  std::span<const int> nodes;
 };
 
 // Which of the local maps may show what the query shows, by how well its pose is known as seen from
