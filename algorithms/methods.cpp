@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "algorithms/dynamic_em/dynamic_em.h"
+#include "algorithms/lazy_association/lazy_slam.h"
 #include "algorithms/motion/motion_learning.h"
 #include "algorithms/odometry_estimator.h"
 #include "algorithms/rbpf/grid_slam.h"
@@ -154,6 +155,10 @@ const std::vector<Method>& methods() {
           {.best_only_after_loop = true}),
       method<GraphSlam, GraphSlamOptions>(
           "graph", "scan matching, local maps that close loops, and a robust pose graph"),
+      method<LazySlam, LazySlamOptions>(
+          "lazy",
+          "local maps whose data association is taken back where it turns out wrong, "
+          "chapter 6"),
       em_method(),
   };
   return table;

@@ -113,8 +113,12 @@ bool LoopCloser::confirm_each_other(const LoopMatch& a, const LoopMatch& b,
 }
 
 PoseConstraint<Pose2> LoopCloser::constraint_of(const LoopMatch& match) const {
-  return {.from = node_of(match.target),
-          .to = node_of(match.query),
+  return constraint_between(match, node_of(match.target), node_of(match.query));
+}
+
+PoseConstraint<Pose2> constraint_between(const LoopMatch& match, int target_node, int query_node) {
+  return {.from = target_node,
+          .to = query_node,
           .from_from_to = match.target_from_query,
           .information = match.covariance.inverse(),
           .closes_loop = true};

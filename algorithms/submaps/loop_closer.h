@@ -19,6 +19,9 @@ struct LoopMatch {
   double window = 0.0;                                   // [m] that was searched
 };
 
+// As a constraint between the nodes of the local maps.
+PoseConstraint<Pose2> constraint_between(const LoopMatch& match, int target_node, int query_node);
+
 struct LoopCloserOptions {
   LoopSearchOptions search;
   SubmapMatcherOptions matching;

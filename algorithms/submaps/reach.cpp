@@ -22,16 +22,6 @@ struct Step {
   double cost = 0.0;
 };
 
-// An error in the frame of b, of the same motion in that of a.
-Eigen::Matrix3d carried(const Eigen::Matrix3d& in_b, const Pose2& a_from_b) {
-  Eigen::Matrix3d adjoint = Eigen::Matrix3d::Identity();
-  const double c = std::cos(a_from_b.theta), s = std::sin(a_from_b.theta);
-  adjoint.topLeftCorner<2, 2>() << c, -s, s, c;
-  adjoint(0, 2) = a_from_b.y;
-  adjoint(1, 2) = -a_from_b.x;
-  return adjoint * in_b * adjoint.transpose();
-}
-
 std::vector<std::vector<Step>> steps_of(const PoseGraph<Pose2>& graph,
                                         const std::vector<double>& weights) {
   std::vector<std::vector<Step>> steps(graph.nodes.size());
@@ -47,12 +37,21 @@ std::vector<std::vector<Step>> steps_of(const PoseGraph<Pose2>& graph,
     steps[from].push_back({constraint.to, constraint.from_from_to, covariance, cost});
     const Pose2 back = inverse(constraint.from_from_to);
     steps[to].push_back(
-        {constraint.from, back, carried(covariance, constraint.from_from_to), cost});
+        {constraint.from, back, seen_from(covariance, constraint.from_from_to), cost});
   }
   return steps;
 }
 
 }  // namespace
+
+Eigen::Matrix3d seen_from(const Eigen::Matrix3d& in_b, const Pose2& a_from_b) {
+  Eigen::Matrix3d adjoint = Eigen::Matrix3d::Identity();
+  const double c = std::cos(a_from_b.theta), s = std::sin(a_from_b.theta);
+  adjoint.topLeftCorner<2, 2>() << c, -s, s, c;
+  adjoint(0, 2) = a_from_b.y;
+  adjoint(1, 2) = -a_from_b.x;
+  return adjoint * in_b * adjoint.transpose();
+}
 
 std::vector<Reach> reach_of(const PoseGraph<Pose2>& graph, const std::vector<double>& weights,
                             int node) {
@@ -78,7 +77,7 @@ std::vector<Reach> reach_of(const PoseGraph<Pose2>& graph, const std::vector<dou
       if (cost + step.cost >= there.cost) continue;
       there.cost = cost + step.cost;
       // Errors in the frame of `to`, of the whole chain from it back to `node`.
-      there.covariance = step.covariance + carried(here.covariance, inverse(step.from_from_to));
+      there.covariance = step.covariance + seen_from(here.covariance, inverse(step.from_from_to));
       next.emplace(there.cost, step.to);
     }
   }

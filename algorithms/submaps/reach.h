@@ -8,6 +8,9 @@
 
 namespace mapbed {
 
+// The covariance of an error in the frame of b, as an error of the same motion in that of a.
+Eigen::Matrix3d seen_from(const Eigen::Matrix3d& in_b, const Pose2& a_from_b);
+
 // How well a node's pose is known as seen from another.
 struct Reach {
   bool reached = false;  // by constraints

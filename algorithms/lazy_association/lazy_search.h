@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "algorithms/association_tree.h"
+#include "core/config/option.h"
+
+namespace mapbed {
+
+struct LazySearchOptions {
+  int max_expansions = 12;  // for each new local map
+  int max_frontier = 200;   // hypotheses that are kept
+};
+
+template <class Visitor>
+void visit_fields(LazySearchOptions& o, Visitor&& visit) {
+  visit("max_expansions", o.max_expansions, between(1, 1'000'000),
+        "hypotheses that are looked at again for each new local map, at most");
+  visit("max_frontier", o.max_frontier, between(1, 1'000'000),
+        "hypotheses that are kept, the most likely ones");
+}
+
+// The search of section 6.3.1, over trees whose levels are local maps and whose branches are
+// decisions about them. The most likely leaf is chosen; all others stay on the frontier. With each
+// new local map frontier nodes are expanded as long as one of them may still lead to a more likely
+// leaf than the best one, however far back it lies.
+//
+// A node d levels above the leaves may lead to a leaf of at most
+//
+//   log_likelihood(node) + m_1 + ... + m_d,
+//
+// m_k being the most that the local map of that level can add to any hypothesis. Where the caller
+// knows such bounds, the leaf is the most likely of all (Hart, Nilsson, Raphael 1968): when it is
+// chosen no other node has a larger bound, and each leaf lies below some node of the frontier whose
+// bound is not less than its likelihood. With m_k = 0, which holds for scores that are never
+// positive, it is nearly breadth-first. Where the caller knows none, m_k is the most that the local
+// map added to any hypothesis that was looked at: a heuristic.
+class LazySearch {
+ public:
+  explicit LazySearch(const LazySearchOptions& options) : options_(options) {}
+
+  struct Outcome {
+    int associated = -1;  // as in AssociationTree::Node
+    double log_likelihood = 0.0;
+    double newest = 0.0;  // of it, what the newest local map has in it
+  };
+  // All decisions about the next local map under those up to a node, at least one. The nodes that
+  // they become are numbered on from all before, in their order.
+  using Expand = std::function<std::vector<Outcome>(std::size_t node)>;
+
+  void start(const Outcome& first);  // the root: of the first local map
+  // The next local map, that ended at `time` [s] and adds `most` at most, if that is known.
+  void advance(double time, const Expand& expand, std::optional<double> most = {});
+
+  bool empty() const { return tree_.nodes.empty(); }
+  std::size_t chosen() const { return tree_.chosen; }
+  std::vector<std::size_t> path_to(std::size_t node) const;  // from the root
+  const AssociationTree& tree() const { return tree_; }
+
+ private:
+  void expand_node(std::size_t node, const Expand& expand);
+  double bound(std::size_t node) const;
+  std::size_t best_of_frontier() const;
+  void drop_least_likely();
+  void note_revision(double time, std::size_t before);
+
+  LazySearchOptions options_;
+  AssociationTree tree_;
+  std::vector<double> newest_;               // by node
+  std::vector<std::size_t> frontier_;        // nodes that were not expanded
+  std::vector<std::optional<double>> most_;  // by local map
+  std::vector<bool> most_is_known_;          // told by the caller
+};
+
+}  // namespace mapbed
