@@ -135,7 +135,7 @@ TEST_P(EveryPathOfEm, BearsHardDrives) {
 
 INSTANTIATE_TEST_SUITE_P(Paths, EveryPathOfEm,
                          ::testing::Values("odometry", "scan_matching", "correlative", "icp",
-                                           "rbpf", "maximum_likelihood", "graph"),
+                                           "rbpf", "maximum_likelihood", "graph", "lazy"),
                          [](const auto& method) { return method.param; });
 
 }  // namespace

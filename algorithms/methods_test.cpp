@@ -143,7 +143,7 @@ TEST_P(EveryMethod, LeavesATiltedLaserOutAndSaysSo) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
                          ::testing::Values("odometry", "scan_matching", "correlative", "icp",
-                                           "rbpf", "maximum_likelihood", "graph", "em"),
+                                           "rbpf", "maximum_likelihood", "graph", "lazy", "em"),
                          [](const auto& method) { return method.param; });
 
 class MethodWithErrorModels : public ::testing::TestWithParam<std::string> {};

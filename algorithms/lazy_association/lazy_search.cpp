@@ -11,8 +11,7 @@ void LazySearch::start(const Outcome& first) {
   tree_.nodes.push_back({.log_likelihood = first.log_likelihood});
   newest_.push_back(first.newest);
   frontier_.push_back(0);
-  most_.emplace_back(0.0);
-  most_is_known_.push_back(true);
+  most_.push_back({});
 }
 
 std::vector<std::size_t> LazySearch::path_to(std::size_t node) const {
@@ -32,7 +31,7 @@ void LazySearch::expand_node(std::size_t node, const Expand& expand) {
   const auto level = static_cast<std::size_t>(local_map);
   for (const Outcome& outcome : outcomes) {
     const double added = outcome.log_likelihood - tree_.nodes[node].log_likelihood;
-    if (!most_is_known_[level]) most_[level] = std::max(most_[level].value_or(added), added);
+    if (!most_[level].is_bound) most_[level].value = std::max(most_[level].value, added);
     frontier_.push_back(tree_.nodes.size());
     tree_.nodes.push_back({.parent = static_cast<int>(node),
                            .local_map = local_map,
@@ -48,7 +47,7 @@ double LazySearch::bound(std::size_t node) const {
   double bound = tree_.nodes[node].log_likelihood;
   for (auto level = static_cast<std::size_t>(tree_.nodes[node].local_map) + 1; level < most_.size();
        ++level) {
-    bound += most_[level].value_or(0.0);
+    bound += most_[level].value;
   }
   return bound;
 }
@@ -62,10 +61,9 @@ std::size_t LazySearch::best_of_frontier() const {
   });
 }
 
-void LazySearch::advance(double time, const Expand& expand, std::optional<double> most) {
+void LazySearch::advance(double time, const Expand& expand, const Most& most) {
   CHECK(!tree_.nodes.empty());
   most_.push_back(most);
-  most_is_known_.push_back(most.has_value());
   const int newest = static_cast<int>(most_.size()) - 1;
   const std::size_t before = tree_.chosen;
   // As incremental maximum likelihood does.

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "algorithms/association_tree.h"
@@ -36,8 +35,8 @@ void visit_fields(LazySearchOptions& o, Visitor&& visit) {
 // knows such bounds, the leaf is the most likely of all (Hart, Nilsson, Raphael 1968): when it is
 // chosen no other node has a larger bound, and each leaf lies below some node of the frontier whose
 // bound is not less than its likelihood. With m_k = 0, which holds for scores that are never
-// positive, it is nearly breadth-first. Where the caller knows none, m_k is the most that the local
-// map added to any hypothesis that was looked at: a heuristic.
+// positive, it is nearly breadth-first. Where the caller only expects that much, m_k grows with the
+// most that the local map added to a hypothesis that was looked at: a heuristic.
 class LazySearch {
  public:
   explicit LazySearch(const LazySearchOptions& options) : options_(options) {}
@@ -52,8 +51,13 @@ class LazySearch {
   using Expand = std::function<std::vector<Outcome>(std::size_t node)>;
 
   void start(const Outcome& first);  // the root: of the first local map
-  // The next local map, that ended at `time` [s] and adds `most` at most, if that is known.
-  void advance(double time, const Expand& expand, std::optional<double> most = {});
+  // What a local map can add.
+  struct Most {
+    double value = 0.0;
+    bool is_bound = true;  // false: it is expected only
+  };
+  // The next local map, that ended at `time` [s].
+  void advance(double time, const Expand& expand, const Most& most);
 
   bool empty() const { return tree_.nodes.empty(); }
   std::size_t chosen() const { return tree_.chosen; }
@@ -69,10 +73,9 @@ class LazySearch {
 
   LazySearchOptions options_;
   AssociationTree tree_;
-  std::vector<double> newest_;               // by node
-  std::vector<std::size_t> frontier_;        // nodes that were not expanded
-  std::vector<std::optional<double>> most_;  // by local map
-  std::vector<bool> most_is_known_;          // told by the caller
+  std::vector<double> newest_;         // by node
+  std::vector<std::size_t> frontier_;  // nodes that were not expanded
+  std::vector<Most> most_;             // by local map
 };
 
 }  // namespace mapbed

@@ -74,7 +74,14 @@ void LazySlam::add_submap(NodeChain::NewSubmap submap) {
     search_.start({.log_likelihood = evidence, .newest = evidence});
     return;
   }
-  search_.advance(submap.when.to, [this](std::size_t node) { return expanded(node); });
+  // Its neighbours lie to it as under any hypothesis.
+  const std::vector<Pose2>& before = hypotheses_[search_.chosen()].poses;
+  std::vector<Pose2> poses = before;
+  poses.push_back(before.back() * motions_.back().from_from_to);
+  const double most =
+      evidence_.of_a_new_place(static_cast<int>(before.size()), poses, options_.loops.search.apart);
+  search_.advance(submap.when.to, [this](std::size_t node) { return expanded(node); },
+                  {.value = most, .is_bound = false});
 }
 
 // The local maps up to `query` under the decisions up to a node, with their poses there.
@@ -145,21 +152,19 @@ std::vector<LazySearch::Outcome> LazySlam::expanded(std::size_t node) {
       {std::span(submaps_).first(count), numbers}, query, graph, {}, options_.loops.search);
   std::vector<LazySearch::Outcome> outcomes;
   outcomes.push_back(add_hypothesis(
-      node, {.poses = graph.nodes, .match = {}, .chi_square = hypotheses_[node].chi_square},
-      query));
+      {.poses = graph.nodes, .match = {}, .chi_square = hypotheses_[node].chi_square}, query));
   for (const LoopMatch& match : matches_of(candidates, query)) {
     graph.constraints.push_back(constraint_between(match, match.target, match.query));
     GraphOptimum<Pose2> optimum = optimize(graph);
     graph.constraints.pop_back();
     outcomes.push_back(add_hypothesis(
-        node, {.poses = std::move(optimum.poses), .match = match, .chi_square = optimum.chi2_after},
+        {.poses = std::move(optimum.poses), .match = match, .chi_square = optimum.chi2_after},
         query));
   }
   return outcomes;
 }
 
-LazySearch::Outcome LazySlam::add_hypothesis(std::size_t /*parent*/, Hypothesis hypothesis,
-                                             int query) {
+LazySearch::Outcome LazySlam::add_hypothesis(Hypothesis hypothesis, int query) {
   const double newest = evidence_.log_likelihood(query, hypothesis.poses);
   const LazySearch::Outcome outcome{
       .associated = hypothesis.match ? hypothesis.match->target : -1,
@@ -187,6 +192,7 @@ std::vector<Pose2> LazySlam::nodes_of(const std::vector<Pose2>& submap_poses) co
                         : submap_poses[submap] *
                               motion_between(track[middle_of(submap)], track[node]));
   }
+  if (!nodes.empty()) nodes.front() = start_;  // without the last bits of going there and back
   return nodes;
 }
 

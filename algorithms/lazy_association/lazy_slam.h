@@ -57,7 +57,7 @@ class LazySlam : public Estimator {
   };
   void add_submap(NodeChain::NewSubmap submap);
   std::vector<LazySearch::Outcome> expanded(std::size_t node);
-  LazySearch::Outcome add_hypothesis(std::size_t parent, Hypothesis hypothesis, int query);
+  LazySearch::Outcome add_hypothesis(Hypothesis hypothesis, int query);
   PoseGraph<Pose2> graph_of(std::size_t node, int query) const;
   std::vector<LoopMatch> matches_of(const std::vector<LoopCandidate>& candidates, int query);
   std::optional<SubmapMatch> searched(const LoopCandidate& candidate, int query);

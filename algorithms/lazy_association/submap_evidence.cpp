@@ -118,6 +118,19 @@ double SubmapEvidence::log_likelihood(int submap, const std::vector<Pose2>& pose
          (options_.unseen * unseen + options_.contradicted * (against + looked_through));
 }
 
+double SubmapEvidence::of_a_new_place(int submap, const std::vector<Pose2>& poses, int neighbours) {
+  const auto index = static_cast<std::size_t>(submap);
+  CHECK(index < poses.size() && index < known_.size());
+  std::uint64_t matched = 0;
+  for (int earlier = std::max(0, submap - neighbours); earlier < submap; ++earlier) {
+    matched |= marks_of(earlier, submap,
+                        motion_between(poses[static_cast<std::size_t>(earlier)], poses[index]))
+                   .matched;
+  }
+  const int unseen = static_cast<int>(known_[index].points.size()) - std::popcount(matched);
+  return -options_.point_weight * options_.unseen * unseen;
+}
+
 double SubmapEvidence::log_likelihood(const std::vector<Pose2>& poses) {
   double sum = 0.0;
   for (int submap = 0; submap < static_cast<int>(poses.size()); ++submap) {

@@ -42,6 +42,9 @@ class SubmapEvidence {
 
   // Of a local map among those of lower number, map_from_submap of each in `poses`.
   double log_likelihood(int submap, const std::vector<Pose2>& poses);
+  // What it costs where it shows a new place: whatever the last few maps before it do not explain
+  // stands where nobody looked.
+  double of_a_new_place(int submap, const std::vector<Pose2>& poses, int neighbours);
   // Of all of them, as many as there are poses.
   double log_likelihood(const std::vector<Pose2>& poses);
 
