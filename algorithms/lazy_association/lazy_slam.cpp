@@ -15,8 +15,10 @@
 namespace mapbed {
 namespace {
 
-constexpr double kBelieved = 0.5;  // weight of a constraint
-constexpr double kWidth = 3.0;     // [sigma] as of the method `graph`
+constexpr double kBelieved = 0.5;   // weight of a constraint
+constexpr double kWidth = 3.0;      // [sigma] as of the method `graph`
+constexpr double kSamePlace = 0.2;  // [m]
+constexpr double kSameTurn = 0.03;  // [rad]
 
 // Of one node as seen from an earlier one, by the steps between them.
 PoseConstraint<Pose2> steps_together(const std::vector<PoseConstraint<Pose2>>& steps, int first,
@@ -38,6 +40,17 @@ bool lies_within(const LoopCandidate& wanted, const Pose2& centre, double window
          std::abs(angle_difference(wanted.target_from_query.theta, centre.theta)) +
                  wanted.turn_window <=
              turn_window + 0.05;
+}
+
+// Whether all local maps lie at the same places, as far as anybody would see.
+bool is_same_map(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (distance(a[i], b[i]) > kSamePlace ||
+        std::abs(angle_difference(a[i].theta, b[i].theta)) > kSameTurn) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -69,9 +82,9 @@ void LazySlam::add_submap(NodeChain::NewSubmap submap) {
     std::vector<Pose2> nodes;
     chain_.append_nodes(nodes, start_);
     Hypothesis first{.poses = {nodes[static_cast<std::size_t>(submap.node)]}, .match = {}};
-    const double evidence = evidence_.log_likelihood(first.poses);
+    judge(first);
+    search_.start({.log_likelihood = first.log_likelihood, .newest = first.newest});
     hypotheses_.push_back(std::move(first));
-    search_.start({.log_likelihood = evidence, .newest = evidence});
     return;
   }
   // Its neighbours lie to it as under any hypothesis.
@@ -141,7 +154,9 @@ std::vector<LoopMatch> LazySlam::matches_of(const std::vector<LoopCandidate>& ca
   return matches;
 }
 
-// Every decision about the next local map: a new place, or one of those that it may show.
+// Every decision about the next local map: a new place, or one of those that it may show. Decisions
+// that leave all local maps where they are under another one are the same map and would multiply
+// with each local map: the likelier one stands for both.
 std::vector<LazySearch::Outcome> LazySlam::expanded(std::size_t node) {
   const int query = static_cast<int>(hypotheses_[node].poses.size());
   PoseGraph<Pose2> graph = graph_of(node, query);
@@ -150,28 +165,45 @@ std::vector<LazySearch::Outcome> LazySlam::expanded(std::size_t node) {
   std::iota(numbers.begin(), numbers.end(), 0);
   const std::vector<LoopCandidate> candidates = loop_candidates(
       {std::span(submaps_).first(count), numbers}, query, graph, {}, options_.loops.search);
-  std::vector<LazySearch::Outcome> outcomes;
-  outcomes.push_back(add_hypothesis(
-      {.poses = graph.nodes, .match = {}, .chi_square = hypotheses_[node].chi_square}, query));
+  std::vector<Hypothesis> possible;
+  possible.push_back(
+      {.poses = graph.nodes, .match = {}, .chi_square = hypotheses_[node].chi_square});
   for (const LoopMatch& match : matches_of(candidates, query)) {
     graph.constraints.push_back(constraint_between(match, match.target, match.query));
     GraphOptimum<Pose2> optimum = optimize(graph);
     graph.constraints.pop_back();
-    outcomes.push_back(add_hypothesis(
-        {.poses = std::move(optimum.poses), .match = match, .chi_square = optimum.chi2_after},
-        query));
+    possible.push_back(
+        {.poses = std::move(optimum.poses), .match = match, .chi_square = optimum.chi2_after});
+  }
+  for (Hypothesis& hypothesis : possible) judge(hypothesis);
+  std::vector<std::size_t> likeliest_first(possible.size());
+  std::iota(likeliest_first.begin(), likeliest_first.end(), std::size_t{0});
+  std::stable_sort(likeliest_first.begin(), likeliest_first.end(),
+                   [&](std::size_t a, std::size_t b) {
+                     return possible[a].log_likelihood + possible[a].expected_cost() >
+                            possible[b].log_likelihood + possible[b].expected_cost();
+                   });
+  std::vector<LazySearch::Outcome> outcomes;
+  const std::size_t first = hypotheses_.size();
+  for (const std::size_t next : likeliest_first) {
+    Hypothesis& hypothesis = possible[next];
+    const auto same = std::find_if(
+        hypotheses_.begin() + static_cast<std::ptrdiff_t>(first), hypotheses_.end(),
+        [&](const Hypothesis& kept) { return is_same_map(kept.poses, hypothesis.poses); });
+    if (same != hypotheses_.end()) continue;
+    outcomes.push_back({.associated = hypothesis.match ? hypothesis.match->target : -1,
+                        .log_likelihood = hypothesis.log_likelihood,
+                        .newest = hypothesis.newest});
+    hypotheses_.push_back(std::move(hypothesis));
   }
   return outcomes;
 }
 
-LazySearch::Outcome LazySlam::add_hypothesis(Hypothesis hypothesis, int query) {
-  const double newest = evidence_.log_likelihood(query, hypothesis.poses);
-  const LazySearch::Outcome outcome{
-      .associated = hypothesis.match ? hypothesis.match->target : -1,
-      .log_likelihood = -0.5 * hypothesis.chi_square + evidence_.log_likelihood(hypothesis.poses),
-      .newest = newest};
-  hypotheses_.push_back(std::move(hypothesis));
-  return outcome;
+void LazySlam::judge(Hypothesis& hypothesis) {
+  const int newest = static_cast<int>(hypothesis.poses.size()) - 1;
+  hypothesis.newest = evidence_.log_likelihood(newest, hypothesis.poses);
+  hypothesis.log_likelihood =
+      -0.5 * hypothesis.chi_square + evidence_.log_likelihood(hypothesis.poses);
 }
 
 // Where the nodes of the chain are, each by the local map that it belongs to.

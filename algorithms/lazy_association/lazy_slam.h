@@ -48,6 +48,11 @@ class LazySlam : public Estimator {
     std::vector<Pose2> poses;        // map_from_submap
     std::optional<LoopMatch> match;  // that its own decision asks for
     double chi_square = 0.0;         // J
+    double log_likelihood = 0.0;
+    double newest = 0.0;  // of it, what the newest local map has in it
+
+    // What a right constraint in the plane costs in the mean, 3 / 2: nothing speaks against it.
+    double expected_cost() const { return match ? 1.5 : 0.0; }
   };
   // A search for one local map in another.
   struct Searched {
@@ -57,7 +62,7 @@ class LazySlam : public Estimator {
   };
   void add_submap(NodeChain::NewSubmap submap);
   std::vector<LazySearch::Outcome> expanded(std::size_t node);
-  LazySearch::Outcome add_hypothesis(Hypothesis hypothesis, int query);
+  void judge(Hypothesis& hypothesis);
   PoseGraph<Pose2> graph_of(std::size_t node, int query) const;
   std::vector<LoopMatch> matches_of(const std::vector<LoopCandidate>& candidates, int query);
   std::optional<SubmapMatch> searched(const LoopCandidate& candidate, int query);

@@ -108,6 +108,9 @@ bool LoopCloser::confirm_each_other(const LoopMatch& a, const LoopMatch& b,
   const Eigen::Matrix3d covariance = a.covariance + turned(queries.covariance, 0.0, 0.0) +
                                      turned(b.covariance, b_query_from_a_query.theta, query_lever) +
                                      turned(targets.covariance, -by_b.theta, target_lever);
+  // Where this leaves so much open that most places would agree, it confirms nothing.
+  const double sigma = std::sqrt(std::max(covariance(0, 0), covariance(1, 1)));
+  if (sigma > options_.confirming_sigma) return false;
   const Eigen::Vector3d e(error.x, error.y, error.theta);
   return e.dot(covariance.ldlt().solve(e)) <= chi_square_quantile(options_.confidence, 3);
 }

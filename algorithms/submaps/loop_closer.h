@@ -25,9 +25,10 @@ PoseConstraint<Pose2> constraint_between(const LoopMatch& match, int target_node
 struct LoopCloserOptions {
   LoopSearchOptions search;
   SubmapMatcherOptions matching;
-  double sure_window = 1.0;   // [m] a match in a smaller one needs no other to confirm it
-  int confirmed_within = 10;  // local maps between two matches that confirm each other, at most
-  double confidence = 0.99;   // of the region in which they must have the same place
+  double sure_window = 1.0;       // [m] a match in a smaller one needs no other to confirm it
+  int confirmed_within = 10;      // local maps between two matches that confirm each other, at most
+  double confirming_sigma = 1.0;  // [m] of where the second has the place of the first, at most
+  double confidence = 0.99;       // of the region in which they must have the same place
 };
 
 template <class Visitor>
@@ -38,6 +39,8 @@ void visit_fields(LoopCloserOptions& o, Visitor&& visit) {
         "a match in a smaller window needs no other to confirm it");
   visit("confirmed_within", o.confirmed_within, between(1, 1'000'000),
         "local maps between two matches that confirm each other, at most");
+  visit("confirming_sigma", o.confirming_sigma, Unit::meter, kPositive,
+        "of where a match has the place of another that it confirms, at most");
   visit("confidence", o.confidence, between(0.5, 0.999999),
         "of the region in which two matches must have the same place");
 }

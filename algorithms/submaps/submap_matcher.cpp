@@ -110,10 +110,11 @@ std::optional<SubmapMatch> match_submaps(const Submap& target, const SubmapField
   const CorrelativeMatcherOptions lattice{.window = window, .turn_window = turn_window};
   const double lattice_loss = kLatticeLoss * count;
   const double outlier = double{field.outlier_log()};
-  const double min_overlap =
-      window > options.far_window ? options.min_overlap_far : options.min_overlap;
+  const bool is_far = window > options.far_window;
+  const double min_agreement = is_far ? options.min_agreement_far : options.min_agreement;
+  const double min_overlap = is_far ? options.min_overlap_far : options.min_overlap;
   // Less than this cannot agree enough with the least overlap.
-  const double least = (1.0 - min_overlap * options.min_agreement) * outlier * count;
+  const double least = (1.0 - min_overlap * min_agreement) * outlier * count;
   const auto max_blocks = static_cast<std::size_t>(options.max_blocks);
   const LimitedSearch found =
       best_match_within(points, field, target_field.pyramid, anywhere, lattice,
@@ -125,7 +126,7 @@ std::optional<SubmapMatch> match_submaps(const Submap& target, const SubmapField
       .agreement = agreement(target, field, query, query_field.field, best.map_from_robot, options),
       .log_likelihood = best.log_likelihood,
       .complete = found.complete};
-  if (match.agreement.ratio() < options.min_agreement || match.agreement.overlap() < min_overlap) {
+  if (match.agreement.ratio() < min_agreement || match.agreement.overlap() < min_overlap) {
     return {};
   }
   const double near_best = best.log_likelihood - std::log(options.min_odds) / options.beam_weight;

@@ -11,11 +11,13 @@
 namespace mapbed {
 
 struct SubmapMatcherOptions {
-  int search_points = 250;          // of a local map, in the search
-  int compared_points = 400;        // of each, where two are compared
-  double min_agreement = 0.75;      // of what both saw
-  double min_overlap = 0.3;         // of their points both saw, at least
-  double min_overlap_far = 0.6;     // the same in windows above far_window
+  int search_points = 250;      // of a local map, in the search
+  int compared_points = 400;    // of each, where two are compared
+  double min_agreement = 0.75;  // of what both saw
+  double min_overlap = 0.3;     // of their points both saw, at least
+  // Both in windows above far_window, where a match must convince by itself.
+  double min_agreement_far = 0.85;
+  double min_overlap_far = 0.6;
   double far_window = 2.0;          // [m]
   double min_odds = 100.0;          // of the place found to any other one in the window
   double beam_weight = 0.25;        // fraction with which a point counts for these odds
@@ -36,8 +38,9 @@ void visit_fields(SubmapMatcherOptions& o, Visitor&& visit) {
         "fraction of what two local maps both saw that must agree");
   visit("min_overlap", o.min_overlap, kFraction,
         "fraction of their points that both must have seen");
-  visit("min_overlap_far", o.min_overlap_far, kFraction,
-        "the same where they were searched for in a window above far_window");
+  visit("min_agreement_far", o.min_agreement_far, kFraction,
+        "as min_agreement, where they were searched for in a window above far_window");
+  visit("min_overlap_far", o.min_overlap_far, kFraction, "as min_overlap, in such a window");
   visit("far_window", o.far_window, Unit::meter, kNotNegative,
         "where a match must convince by itself");
   visit("min_odds", o.min_odds, between(1.0, 1e12), "odds of the place found to any other one");
