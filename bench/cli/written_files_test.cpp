@@ -11,6 +11,7 @@
 
 #include "algorithms/grid/map_file.h"
 #include "algorithms/motion/motion_learning.h"
+#include "algorithms/pose_graph/graph_file.h"
 #include "bench/cli/graph_run.h"
 #include "bench/cli/map_run.h"
 #include "bench/metrics/evaluation.h"
@@ -113,6 +114,26 @@ TEST_F(WrittenFiles, OfAScenarioWithoutSeriesPlotsAndClaims) {
   expect_same_result("r");
   EXPECT_FALSE(fs::exists(path("r/series.csv")));
   EXPECT_FALSE(fs::exists(path("r/figures")));
+}
+
+TEST_F(WrittenFiles, OfAScenarioWithAPoseGraph) {
+  const std::string scenario =
+      write("y.yaml",
+            "world: workshop\nrobot: pioneer\npeople: 0\nrecorder.longest: 8 s\n"
+            "estimator: graph\nmetrics: [path_length]\n");
+  run(planned(scenario), "r");
+  expect_same_result("r");
+  const auto is_graph = [](const std::string& path) {
+    const GraphFile file = load_graph(path);
+    EXPECT_GT(file.ids.size(), 2u);
+    EXPECT_EQ(graph_text(file.graph, file.ids), read_text_file(path));
+  };
+  expect_read("r", {{"config.yaml", [](const std::string& path) { planned(path); }},
+                    {".csv", is_table},
+                    {".json", is_json},
+                    {".g2o", is_graph},
+                    {".png", is_picture},
+                    {".tum", is_trajectory}});
 }
 
 struct Simulated : WrittenFiles, ::testing::WithParamInterface<SimulationPlan> {};
