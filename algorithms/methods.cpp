@@ -29,9 +29,14 @@ void check_together(const GridSlamOptions& options, const Settings& settings) {
 
 // The errors of motions may be learned ones, by name.
 template <class Options>
-constexpr bool kHasMotionModels = requires(Options o) {
+concept HasMotionModels = requires(Options o) {
   o.matching_errors;
 };
+template <class Options>
+constexpr bool kHasMotionModels = HasMotionModels<Options>;
+template <class Options>
+requires HasMotionModels<decltype(Options::chain)>
+constexpr bool kHasMotionModels<Options> = true;
 
 // Of options that name files. A wrong name is told by options_from.
 template <class Options>
@@ -128,6 +133,11 @@ Method em_method() {
           [name](const Settings& settings) { return configure_em(name, settings); }, true};
 }
 
+Method with_graph(Method method) {
+  method.has_graph = true;
+  return method;
+}
+
 Method odometry_method() {
   Method result =
       method<OdometryEstimator, OdometryOptions>("odometry", "dead reckoning alone, the baseline");
@@ -153,12 +163,12 @@ const std::vector<Method>& methods() {
           "maximum_likelihood",
           "the same filter, going on with its best particle alone after a loop, section 5.4.2",
           {.best_only_after_loop = true}),
-      method<GraphSlam, GraphSlamOptions>(
-          "graph", "scan matching, local maps that close loops, and a robust pose graph"),
-      method<LazySlam, LazySlamOptions>(
+      with_graph(method<GraphSlam, GraphSlamOptions>(
+          "graph", "scan matching, local maps that close loops, and a robust pose graph")),
+      with_graph(method<LazySlam, LazySlamOptions>(
           "lazy",
           "local maps whose data association is taken back where it turns out wrong, "
-          "chapter 6"),
+          "chapter 6")),
       em_method(),
   };
   return table;

@@ -20,6 +20,7 @@ struct Method {
   std::string about;
   std::function<ConfiguredMethod(const Settings&)> configure;
   bool labels_beams = false;    // its estimates have labels
+  bool has_graph = false;       // they have a pose graph, and associations where it searches them
   bool needs_odometry = false;  // has nothing else to go by
 };
 

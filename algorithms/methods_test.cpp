@@ -2,8 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include "algorithms/lazy_association/lazy_slam_options.h"
 #include "algorithms/motion/motion_learning.h"
 #include "algorithms/rbpf/grid_slam.h"
+#include "algorithms/submaps/graph_slam_options.h"
 #include "algorithms/testing/remark_texts.h"
 #include "core/geometry/angle.h"
 #include "core/input_error.h"
@@ -145,6 +147,24 @@ INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
                          ::testing::Values("odometry", "scan_matching", "correlative", "icp",
                                            "rbpf", "maximum_likelihood", "graph", "lazy", "em"),
                          [](const auto& method) { return method.param; });
+
+TEST(Methods, OfLocalMapsTakeLearnedErrorModelsByName) {
+  GraphSlamOptions graph;
+  LazySlamOptions lazy;
+  for (NodeChainOptions* chain : {&graph.chain, &lazy.chain}) {
+    chain->odometry_errors = load_motion_model("pioneer_odometry");
+    chain->matching_errors = load_motion_model("pioneer_matching");
+  }
+  const Settings settings{parse_setting("odometry_errors=pioneer_odometry"),
+                          parse_setting("matching_errors=pioneer_matching")};
+  const auto complete = [&](const std::string& name) {
+    const ConfiguredMethod method = method_by_name(name).configure(settings);
+    EXPECT_EQ(method.files.size(), 2u) << name;
+    return method.complete_yaml;
+  };
+  EXPECT_EQ(complete("graph"), to_yaml(options_of(graph)));
+  EXPECT_EQ(complete("lazy"), to_yaml(options_of(lazy)));
+}
 
 class MethodWithErrorModels : public ::testing::TestWithParam<std::string> {};
 

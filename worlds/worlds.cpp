@@ -5,6 +5,7 @@
 #include "worlds/corridor/corridor.h"
 #include "worlds/file/world_file.h"
 #include "worlds/loop_corridor/loop_corridor.h"
+#include "worlds/mine/mine_plan.h"
 #include "worlds/museum/museum.h"
 #include "worlds/office/office.h"
 
@@ -33,6 +34,8 @@ const std::vector<WorldKind>& world_kinds() {
       kind("hall_loop", "wide corridor round a block, 32 m x 10 m", build_loop_corridor,
            hall_loop()),
       kind("loop_corridor", "corridor round a block, 50 m x 12 m", build_loop_corridor),
+      kind("mine_plan", "corridors of a mine with rough walls, 250 m long, with several loops",
+           build_mine_plan),
       kind("museum", "hall of 30 m x 45 m with columns, showcases, niches", build_museum),
       kind("nested_loops", "a small corridor loop beside a large one", build_loop_corridor,
            nested_loops()),

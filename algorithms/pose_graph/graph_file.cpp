@@ -186,8 +186,8 @@ PoseGraph<Pose> assembled(const std::string& name, Content& content, LoopRule ru
     graph.held.push_back(node);
   }
   if (repeated > 0) {
-    content.remarks.push_back(
-        fmt::format("{} edges join nodes that another edge joins already; each counts", repeated));
+    content.remarks.push_back(fmt::format(
+        "edges between nodes that another edge joins already: {}; each counts", repeated));
   }
   return graph;
 }
@@ -211,8 +211,8 @@ GraphFile parse_graph(const std::string& name, std::string_view text,
     file.graph = assembled<Pose2>(name, content, options.loops, file);
   }
   for (const auto& [tag, count] : content.unknown) {
-    content.remarks.push_back(fmt::format("{} lines {} are left out: nothing is known of them here",
-                                          count, in_quotes(tag)));
+    content.remarks.push_back(fmt::format(
+        "lines {} are left out, as nothing is known of them here: {}", in_quotes(tag), count));
   }
   file.remarks = std::move(content.remarks);
   return file;

@@ -66,6 +66,8 @@ GraphFile parse_graph(const std::string& name, std::string_view text,
 // angles in space.
 std::string graph_text(const AnyPoseGraph& graph, const std::vector<std::int64_t>& ids,
                        GraphFormat format = GraphFormat::g2o);
+// The same with the nodes' indices for ids, in g2o's form.
+std::string graph_text(const PoseGraph<Pose2>& graph);
 // TORO's form where the name ends in .toro, .graph or these and .gz, else g2o's.
 GraphFormat format_for(std::string_view path);
 void write_graph(const std::string& path, const AnyPoseGraph& graph,

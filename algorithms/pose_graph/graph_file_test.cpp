@@ -127,13 +127,14 @@ std::string remarks_of(const std::string& text) {
 TEST(GraphFile, CountsEdgesThatAreThereTwiceAndSaysSo) {
   const std::string again = kPlane + "EDGE_SE2 1 0 -1 0 -0.1 10 0 0 10 0 100\n";
   EXPECT_EQ(plane(again).constraints.size(), 3u);
-  EXPECT_THAT(remarks_of(again), HasSubstr("1 edges join nodes that another edge joins already"));
+  EXPECT_THAT(remarks_of(again),
+              HasSubstr("edges between nodes that another edge joins already: 1; each counts"));
 }
 
 TEST(GraphFile, SaysWhatItLeavesOut) {
   EXPECT_EQ(remarks_of(kPlane + "# comment\nPARAMS_SE2OFFSET 0 0 0 0\n"), "");
   EXPECT_THAT(remarks_of(kPlane + "EDGE_SE2_XY 0 9 1 1 1 0 1\n"),
-              HasSubstr("1 lines 'EDGE_SE2_XY' are left out"));
+              HasSubstr("lines 'EDGE_SE2_XY' are left out, as nothing is known of them here: 1"));
   EXPECT_THAT(remarks_of(kPlane + "EDGE_SE2 1 1 1 0 0 1 0 0 1 0 1\n"),
               HasSubstr("line 6: an edge from node 1 to itself is left out"));
   EXPECT_THAT(remarks_of(kPlane + "VERTEX_SE2 1 1 0 0.1\n"), HasSubstr("node 1 is given twice"));

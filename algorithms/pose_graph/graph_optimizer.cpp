@@ -137,28 +137,67 @@ std::vector<double> doubted(const PoseGraph<Pose>& graph, const std::vector<doub
   return result;
 }
 
+// The constraints that count at given weights, and the equations of these alone: what false loop
+// closures fill in would cost more than all the rest.
+template <class Pose>
+class WeighedGraph {
+ public:
+  // Downhill at these weights.
+  Descent descend(const PoseGraph<Pose>& graph, const std::vector<double>& weights,
+                  const GraphOptimizationOptions& options, int max_iterations,
+                  std::vector<Pose>& nodes) {
+    std::vector<bool> counts;
+    for (const double weight : weights) counts.push_back(weight > 0.0);
+    if (!equations_ || counts != counts_) select(graph, std::move(counts));
+    Losses losses;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      if (counts_[i]) losses.fixed_weights.push_back(weights[i]);
+    }
+    Position<Pose> position = position_at(graph_, std::move(nodes), losses);
+    const Descent descent =
+        mapbed::descend(graph_, losses, options, max_iterations, *equations_, position);
+    nodes = std::move(position.nodes);
+    return descent;
+  }
+
+ private:
+  void select(const PoseGraph<Pose>& graph, std::vector<bool> counts) {
+    counts_ = std::move(counts);
+    graph_ = {.nodes = graph.nodes, .held = graph.held};
+    for (std::size_t i = 0; i < counts_.size(); ++i) {
+      if (counts_[i]) graph_.constraints.push_back(graph.constraints[i]);
+    }
+    equations_.emplace(graph_);
+  }
+
+  std::vector<bool> counts_;
+  PoseGraph<Pose> graph_;
+  std::optional<NormalEquations<Pose>> equations_;
+};
+
 // All constraints first, then the loop closures' weights in turn with the minimum at these.
 template <class Pose>
 Descent descend_graduated(const PoseGraph<Pose>& graph, const Losses& losses,
-                          const GraphOptimizationOptions& options, NormalEquations<Pose>& equations,
-                          Position<Pose>& position) {
+                          const GraphOptimizationOptions& options, Position<Pose>& position) {
   constexpr int kAtATime = 5;  // iterations; the next weights begin where these end
-  position = position_at(graph, std::move(position.nodes), Losses{});
-  Descent all = descend(graph, Losses{}, options, options.max_iterations, equations, position);
+  WeighedGraph<Pose> weighed;
+  std::vector<Pose> nodes = std::move(position.nodes);
+  std::vector<double> weights(graph.constraints.size(), 1.0);
+  Descent all = weighed.descend(graph, weights, options, options.max_iterations, nodes);
+  position = position_at(graph, nodes, Losses{});
   GraduatedWeights graduated(losses.loss, losses.squared_width,
                              doubted(graph, position.chi_squares));
   while (!graduated.is_done()) {
     const std::vector<double> of_loops = graduated.next(doubted(graph, position.chi_squares));
-    Losses fixed{.fixed_weights = std::vector<double>(graph.constraints.size(), 1.0)};
     auto weight = of_loops.begin();
     for (std::size_t i = 0; i < graph.constraints.size(); ++i) {
-      if (graph.constraints[i].closes_loop) fixed.fixed_weights[i] = *weight++;
+      if (graph.constraints[i].closes_loop) weights[i] = *weight++;
     }
-    position = position_at(graph, std::move(position.nodes), fixed);
     const int at_most = graduated.is_done() ? options.max_iterations : kAtATime;
-    const Descent part = descend(graph, fixed, options, at_most, equations, position);
+    const Descent part = weighed.descend(graph, weights, options, at_most, nodes);
     all.iterations += part.iterations;
     all.converged = part.converged;
+    position = position_at(graph, nodes, Losses{.fixed_weights = weights});
   }
   return all;
 }
@@ -176,11 +215,13 @@ GraphOptimum<Pose> optimize(const PoseGraph<Pose>& graph, const GraphOptimizatio
   Position<Pose> position = position_at(graph, graph.nodes, losses);
   GraphOptimum<Pose> optimum{.chi2_before = sum_of(position.chi_squares),
                              .cost_before = position.cost};
-  NormalEquations<Pose> equations(graph);
-  const Descent descent =
-      is_graduated(robust.loss)
-          ? descend_graduated(graph, losses, options, equations, position)
-          : descend(graph, losses, options, options.max_iterations, equations, position);
+  Descent descent;
+  if (is_graduated(robust.loss)) {
+    descent = descend_graduated(graph, losses, options, position);
+  } else {
+    NormalEquations<Pose> equations(graph);
+    descent = descend(graph, losses, options, options.max_iterations, equations, position);
+  }
   optimum.weights = position.weights;
   optimum.iterations = descent.iterations;
   optimum.converged = descent.converged;

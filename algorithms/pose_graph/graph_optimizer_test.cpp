@@ -171,5 +171,23 @@ TEST(GraphOptimizerOnALine, SharesTheErrorAsTheVariancesAre) {
   EXPECT_NEAR(optimum.chi2_after, 0.3 * 0.3 / 6.0, 1e-12);
 }
 
+// A ring of 400 m whose turns were measured a fifth too small, so that all of it has to bend:
+// positions move on long arcs. Straight steps alone have not converged after 100.
+TEST(GraphOptimizerOfALongDrive, BendsItInFewSteps) {
+  constexpr int kNodes = 400;
+  constexpr double kTurn = 2.0 * kPi / kNodes;
+  const PoseInformation<Pose2> sharp = Eigen::Vector3d(1e4, 1e4, 1e3).asDiagonal();
+  PoseGraph<Pose2> graph{.nodes = {Pose2{}}};
+  for (int i = 1; i < kNodes; ++i) {
+    graph.constraints.push_back({i - 1, i, {1.0, 0.0, 0.8 * kTurn}, sharp});
+    graph.nodes.push_back(graph.nodes.back() * graph.constraints.back().from_from_to);
+  }
+  graph.constraints.push_back({kNodes - 1, 0, {1.0, 0.0, kTurn}, sharp, true});
+  const GraphOptimum<Pose2> optimum = optimize(graph);
+  EXPECT_TRUE(optimum.converged);
+  EXPECT_LT(optimum.iterations, 30);
+  EXPECT_LT(distance(optimum.poses.front(), optimum.poses.back()), 1.1);
+}
+
 }  // namespace
 }  // namespace mapbed

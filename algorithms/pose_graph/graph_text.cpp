@@ -1,3 +1,5 @@
+#include <numeric>
+
 #include <fmt/format.h>
 
 #include "algorithms/pose_graph/graph_file.h"
@@ -34,6 +36,12 @@ std::string text_of(const PoseGraph<Pose>& graph, const std::vector<std::int64_t
 std::string graph_text(const AnyPoseGraph& graph, const std::vector<std::int64_t>& ids,
                        GraphFormat format) {
   return std::visit([&](const auto& g) { return text_of(g, ids, format); }, graph);
+}
+
+std::string graph_text(const PoseGraph<Pose2>& graph) {
+  std::vector<std::int64_t> ids(graph.nodes.size());
+  std::iota(ids.begin(), ids.end(), 0);
+  return graph_text(graph, ids);
 }
 
 GraphFormat format_for(std::string_view path) {

@@ -7,8 +7,8 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-#include "algorithms/pose_graph/block_cholesky.h"
 #include "algorithms/pose_graph/free_nodes.h"
+#include "algorithms/pose_graph/fronts/block_cholesky.h"
 #include "algorithms/pose_graph/position_equations.h"
 
 namespace mapbed {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "algorithms/pose_graph/block_cholesky.h"
 #include "algorithms/pose_graph/constraint_error.h"
+#include "algorithms/pose_graph/fronts/block_cholesky.h"
 
 namespace mapbed {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "algorithms/pose_graph/block_cholesky.h"
 #include "algorithms/pose_graph/free_nodes.h"
+#include "algorithms/pose_graph/fronts/block_cholesky.h"
 
 namespace mapbed {
 

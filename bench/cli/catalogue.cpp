@@ -11,6 +11,7 @@
 #include "bench/cli/describe/file_text.h"
 #include "bench/cli/describe/words.h"
 #include "bench/cli/describe/world_text.h"
+#include "bench/cli/graph_run.h"
 #include "bench/experiments/experiment.h"
 #include "bench/faults/faults.h"
 #include "bench/methods/program_method.h"
@@ -215,6 +216,7 @@ std::string defaults_of() {
 
 std::vector<CatalogueEntry> setting_entries() {
   return {{"camera", "how a picture of a world is taken", defaults_of<RenderOptions>},
+          {"graph_file", "how 'mapbed graph' optimises a file", defaults_of<GraphConfig>},
           {"log", "how a recorded log is read", defaults_of<LogOptions>},
           {"map", "how a map is made of scans and poses", defaults_of<MapOptions>}};
 }

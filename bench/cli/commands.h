@@ -15,6 +15,7 @@ enum ExitStatus : int {
 // Each command of the program, with its options and what it does.
 Command evaluate_command();
 Command fetch_command();
+Command graph_command();
 Command list_command();
 Command describe_command();
 Command map_command();

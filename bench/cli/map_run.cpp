@@ -11,11 +11,14 @@
 #include "algorithms/grid/map_file.h"
 #include "algorithms/grid/map_image.h"
 #include "algorithms/grid/wall_map.h"
+#include "algorithms/pose_graph/graph_file.h"
+#include "bench/figures/association_figure.h"
 #include "bench/plot/map_picture.h"
 #include "bench/process/foreign_files.h"
 #include "bench/process/process_cost.h"
 #include "bench/process/stopwatch.h"
 #include "bench/process/version.h"
+#include "bench/results/association_file.h"
 #include "bench/scenario/publication.h"
 #include "core/file/atomic_file.h"
 #include "core/file/utf8.h"
@@ -30,6 +33,12 @@ namespace mapbed {
 namespace {
 
 constexpr const char* kMark = "summary.json";
+constexpr const char* kLabels = "labels.txt.gz";
+constexpr const char* kTracks = "tracks.csv";
+constexpr const char* kCleaned = "cleaned.log.gz";
+constexpr const char* kGraph = "graph.g2o";
+constexpr const char* kAssociations = "associations.json";
+constexpr const char* kAssociationFigure = "associations.svg";
 constexpr const char* kKept = "program/";  // folder of what a program was to keep
 
 int count_scans(const SensorLog& log) {
@@ -62,6 +71,19 @@ std::string cost_csv(const MapCost& cost) {
       peak_memory(), cost.of_program.processor_seconds, cost.of_program.peak_memory);
 }
 
+// What the method gives besides the path, by the files' names.
+std::vector<std::string> products_of(const MapRun& run) {
+  std::vector<std::string> names;
+  if (!run.labels.empty()) names = {kLabels, kCleaned};
+  if (run.estimate.tracks) names.push_back(kTracks);
+  if (run.estimate.graph) names.push_back(kGraph);
+  if (run.estimate.associations) {
+    names.push_back(kAssociations);
+    names.push_back(kAssociationFigure);
+  }
+  return names;
+}
+
 std::string summary_json(const std::string& log_name, const RecordedLog& log, const MapRun& run) {
   const CellBox box = known_box(run.map);
   nlohmann::ordered_json json{
@@ -76,6 +98,7 @@ std::string summary_json(const std::string& log_name, const RecordedLog& log, co
       {"untrusted_scans", run.estimate.untrusted_scans},
       {"recorded_s", run.cost.seconds_recorded},
       {"path_length_m", path_length(run.estimate.trajectory)},
+      {"products", products_of(run)},
       {"resolution_m", run.map.resolution()},
       {"map_width_m", box.empty() ? 0.0 : box.width() * run.map.resolution()},
       {"map_height_m", box.empty() ? 0.0 : box.height() * run.map.resolution()},
@@ -158,6 +181,39 @@ Estimated estimated_by(const ProgramMethod& program, const SensorLog& as_recorde
   return {std::move(run.estimate), total, std::move(run.kept)};
 }
 
+nlohmann::json summary_in(const std::string& folder) {
+  std::ifstream file(std::filesystem::path(folder) / kMark);
+  return nlohmann::json::parse(file, nullptr, false);
+}
+
+// Of the map that a folder holds, what not every map has: its summary lists them.
+std::vector<std::string> products_in(const std::string& folder) {
+  const nlohmann::json json = summary_in(folder);
+  if (!json.is_object() || !json.contains("products")) return {};
+  std::vector<std::string> found;
+  for (const char* name : {kLabels, kTracks, kCleaned, kGraph, kAssociations, kAssociationFigure}) {
+    const auto& listed = json["products"];
+    if (std::find(listed.begin(), listed.end(), name) != listed.end()) found.push_back(name);
+  }
+  return found;
+}
+
+void write_products(const MapRun& run, const RecordedLog& log, Publication& coming) {
+  if (!run.labels.empty()) {
+    write_labels(coming.add(kLabels), run.labels);
+    RecordedLog cleaned = log;
+    cleaned.measurements = run.cleaned;
+    write_carmen_log(coming.add(kCleaned), cleaned);
+  }
+  if (run.estimate.tracks) write_file(coming.add(kTracks), tracks_csv(*run.estimate.tracks));
+  if (run.estimate.graph) write_file(coming.add(kGraph), graph_text(*run.estimate.graph));
+  if (run.estimate.associations) {
+    const AssociationTree& tree = *run.estimate.associations;
+    write_file(coming.add(kAssociations), associations_json(tree));
+    write_file(coming.add(kAssociationFigure), svg_of(association_plot(tree)));
+  }
+}
+
 }  // namespace
 
 MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
@@ -210,6 +266,7 @@ void write_map_run(const std::string& folder, const std::string& log_name, const
                      "raise map.beams.usable_range, or take another log; nothing was written");
   }
   Publication coming(folder, kMark);
+  for (const std::string& name : products_in(folder)) coming.remove(name);  // of an older map
   write_trajectory(coming.add("trajectory.tum"), run.estimate.trajectory);
   coming.add("map.pgm");
   const std::string yaml = coming.add("map.yaml");
@@ -222,16 +279,8 @@ void write_map_run(const std::string& folder, const std::string& log_name, const
       picture_of(run.map, {{run.config.chosen.name, run.estimate.trajectory}}, {}, run.dynamic));
   write_file(coming.add("config.yaml"), to_yaml(run.config));
   write_file(coming.add("cost.csv"), cost_csv(run.cost));
-  if (!run.labels.empty()) {
-    write_labels(coming.add("labels.txt.gz"), run.labels);
-    RecordedLog cleaned = log;
-    cleaned.measurements = run.cleaned;
-    write_carmen_log(coming.add("cleaned.log.gz"), cleaned);
-  }
-  if (run.estimate.tracks) write_file(coming.add("tracks.csv"), tracks_csv(*run.estimate.tracks));
-  for (const auto& [name, content] : run.kept) {
-    write_file(coming.add(kKept + name), content);
-  }
+  write_products(run, log, coming);
+  for (const auto& [name, content] : run.kept) write_file(coming.add(kKept + name), content);
   write_file(coming.add(kMark), summary_json(log_name, log, run));
   coming.commit();
 }
@@ -240,8 +289,10 @@ void refuse_foreign_map_files(const std::string& folder, const MapConfig& config
   std::vector<std::string> coming{"trajectory.tum", "map.pgm",     "map.yaml", "map.png",
                                   "picture.png",    "config.yaml", "cost.csv", kMark};
   if (config.chosen.labels_beams) {
-    for (const char* name : {"labels.txt.gz", "tracks.csv", "cleaned.log.gz"})
-      coming.push_back(name);
+    for (const char* name : {kLabels, kTracks, kCleaned}) coming.push_back(name);
+  }
+  if (config.chosen.has_graph) {
+    for (const char* name : {kGraph, kAssociations, kAssociationFigure}) coming.push_back(name);
   }
   if (const ProgramMethod* program = config.chosen.program()) {
     for (const std::string& name : program->keep) coming.push_back(kKept + name);
@@ -250,8 +301,7 @@ void refuse_foreign_map_files(const std::string& folder, const MapConfig& config
 }
 
 std::string log_of_map(const std::string& folder) {
-  std::ifstream file(std::filesystem::path(folder) / kMark);
-  const auto json = nlohmann::json::parse(file, nullptr, false);
+  const nlohmann::json json = summary_in(folder);
   const bool has_log = json.is_object() && json.contains("mapbed") && json.contains("log") &&
                        json["log"].is_string();
   return has_log ? json["log"].get<std::string>() : "";

@@ -64,6 +64,9 @@ MapRun make_map(const PreparedLog& prepared, const MapConfig& config,
 //                       (labels_file.h)
 //   tracks.csv          of those that follow it (tracks_file.h)
 //   cleaned.log.gz      the log, in CARMEN's form, without the beams that met what moves
+//   graph.g2o           of methods that have a pose graph: its nodes and the constraints believed
+//   associations.json   of those that search data associations: the tree (association_file.h), and
+//   associations.svg    its picture
 //   program/            what a program that is the method was to keep
 //   summary.json        the rest in numbers; written last
 //

@@ -5,6 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/pose_graph/graph_file.h"
+#include "bench/plot/testing/well_formed.h"
+#include "bench/results/association_file.h"
+#include "bench/results/testing/example_associations.h"
+#include "core/file/text_file.h"
 #include "core/testing/temporary_folder.h"
 #include "core/testing/test_room.h"
 #include "core/testing/throws_input_error.h"
@@ -63,6 +68,46 @@ TEST(MapRun, WritesNothingOfALaserThatSeesNothing) {
   EXPECT_INPUT_ERROR(write_map_run(folder.file("."), "blind.log", log, run),
                      "blind.log: no beam of any scan counts");
   EXPECT_TRUE(std::filesystem::is_empty(folder.file(".")));
+}
+
+MapRun run_of(const RecordedLog& log, const std::string& method) {
+  return make_map(prepared(log.measurements), config_of(method),
+                  [](std::size_t, std::size_t) { return true; });
+}
+
+TEST(MapRun, WritesThePoseGraphWithANodeWhereThePathIs) {
+  const RecordedLog log = room_log();
+  const MapRun run = run_of(log, "graph");
+  ASSERT_TRUE(run.estimate.graph);
+  const TemporaryFolder folder;
+  write_map_run(folder.file("."), "room.log", log, run);
+  const GraphFile file = load_graph(folder.file("graph.g2o"));
+  const auto& graph = std::get<PoseGraph<Pose2>>(file.graph);
+  EXPECT_EQ(graph.nodes, run.estimate.graph->nodes);
+  EXPECT_EQ(graph.constraints.size(), run.estimate.graph->constraints.size());
+  EXPECT_GE(graph.constraints.size() + 1, graph.nodes.size()) << "joined from end to end";
+  EXPECT_FALSE(std::filesystem::exists(folder.file("associations.json")));
+}
+
+TEST(MapRun, WritesWhatWasAssociatedAndItsPicture) {
+  const RecordedLog log = room_log();
+  MapRun run = run_of(log, "odometry");
+  run.estimate.associations = example_associations();
+  const TemporaryFolder folder;
+  write_map_run(folder.file("."), "room.log", log, run);
+  const std::string json = read_text_file(folder.file("associations.json"));
+  EXPECT_EQ(associations_json(parse_associations("associations.json", json)), json);
+  EXPECT_TRUE(is_well_formed(read_text_file(folder.file("associations.svg"))));
+}
+
+TEST(MapRun, WhatAnOlderMapHadBesidesGoesWithIt) {
+  const RecordedLog log = room_log();
+  const TemporaryFolder folder;
+  write_map_run(folder.file("."), "room.log", log, run_of(log, "graph"));
+  write_text_file(folder.file("associations.json"), "somebody's");  // it did not write that
+  write_map_run(folder.file("."), "room.log", log, run_of(log, "odometry"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("graph.g2o")));
+  EXPECT_EQ(read_text_file(folder.file("associations.json")), "somebody's");
 }
 
 }  // namespace

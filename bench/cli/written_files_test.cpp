@@ -11,6 +11,8 @@
 
 #include "algorithms/grid/map_file.h"
 #include "algorithms/motion/motion_learning.h"
+#include "algorithms/pose_graph/graph_file.h"
+#include "bench/cli/graph_run.h"
 #include "bench/cli/map_run.h"
 #include "bench/metrics/evaluation.h"
 #include "bench/metrics/relations.h"
@@ -114,6 +116,26 @@ TEST_F(WrittenFiles, OfAScenarioWithoutSeriesPlotsAndClaims) {
   EXPECT_FALSE(fs::exists(path("r/figures")));
 }
 
+TEST_F(WrittenFiles, OfAScenarioWithAPoseGraph) {
+  const std::string scenario =
+      write("y.yaml",
+            "world: workshop\nrobot: pioneer\npeople: 0\nrecorder.longest: 8 s\n"
+            "estimator: graph\nmetrics: [path_length]\n");
+  run(planned(scenario), "r");
+  expect_same_result("r");
+  const auto is_graph = [](const std::string& path) {
+    const GraphFile file = load_graph(path);
+    EXPECT_GT(file.ids.size(), 2u);
+    EXPECT_EQ(graph_text(file.graph, file.ids), read_text_file(path));
+  };
+  expect_read("r", {{"config.yaml", [](const std::string& path) { planned(path); }},
+                    {".csv", is_table},
+                    {".json", is_json},
+                    {".g2o", is_graph},
+                    {".png", is_picture},
+                    {".tum", is_trajectory}});
+}
+
 struct Simulated : WrittenFiles, ::testing::WithParamInterface<SimulationPlan> {};
 
 TEST_P(Simulated, LogAndAllBesideIt) {
@@ -207,6 +229,31 @@ TEST_F(WrittenFiles, OfAReport) {
   const auto before = bytes_of("all");
   write_reports(path("all"));
   EXPECT_EQ(bytes_of("all"), before);
+}
+
+TEST_F(WrittenFiles, OfAPoseGraph) {
+  for (const std::string suffix : {"g2o", "toro"}) {
+    const std::string edges = suffix == "g2o" ? "EDGE_SE2 0 1 1 0 0.5 2 0 0 2 0 2\nFIX 1\n"
+                                              : "EDGE2 0 1 1 0 0.5 2 0 2 2 0 0\n";
+    const GraphConfig config{.start = GraphStart::chordal};
+    fs::create_directory(path(suffix));
+    write_graph_run(path(suffix), "a." + suffix,
+                    run_graph("a." + suffix, parse_graph("a", edges), config));
+    const auto is_graph = [&](const std::string& name) {
+      const GraphFile file = load_graph(name);
+      EXPECT_EQ(graph_text(file.graph, file.ids, file.format), read_text_file(name));
+    };
+    const auto is_config = [&](const std::string& name) {
+      GraphConfig read;
+      apply(load_settings(name), options_of(read), "");
+      EXPECT_EQ(read.start, GraphStart::chordal);
+      EXPECT_EQ(to_yaml(options_of(read)), read_text_file(name));
+    };
+    expect_read(suffix, {{"graph." + suffix, is_graph},
+                         {"graph.json", is_json},
+                         {"picture.svg", is_svg},
+                         {"config.yaml", is_config}});
+  }
 }
 
 TEST_F(WrittenFiles, OfAnEvaluation) {

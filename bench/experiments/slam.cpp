@@ -5,14 +5,17 @@
 #include "algorithms/grid/map_file.h"
 #include "algorithms/grid/wall_map.h"
 #include "algorithms/input/input_stage.h"
+#include "algorithms/pose_graph/graph_file.h"
 #include "bench/experiments/moving_evaluator.h"
 #include "bench/experiments/particle_figures.h"
 #include "bench/experiments/slam_evaluator.h"
 #include "bench/experiments/slam_series.h"
+#include "bench/figures/association_figure.h"
 #include "bench/figures/people_figures.h"
 #include "bench/methods/method_run.h"
 #include "bench/methods/people_filter.h"
 #include "bench/plot/map_picture.h"
+#include "bench/results/association_file.h"
 #include "bench/results/replay.h"
 #include "bench/sources/run_viewer.h"
 #include "core/geometry/tum_file.h"
@@ -88,6 +91,23 @@ void add_map_server_files(const RunInput& input, const MapOptions& options, cons
   MapText text = map_text(walls, "map.pgm");
   files.push_back({"maps/map.pgm", std::move(text.pgm)});
   files.push_back({"maps/map.yaml", std::move(text.yaml)});
+}
+
+// Of methods that have them, in the frame of the path beside it.
+void add_graph_files(const RunInput& input, const SlamEvaluator& evaluator,
+                     std::vector<ResultFile>& files) {
+  const Estimate& estimate = evaluator.estimate();
+  if (estimate.graph) {
+    PoseGraph<Pose2> graph = *estimate.graph;
+    for (Pose2& node : graph.nodes) node = evaluator.world_from_map() * node;
+    files.push_back({"graphs/graph.g2o", graph_text(graph)});
+  }
+  if (estimate.associations) {
+    const Plot plot = association_plot(*estimate.associations, input.label);
+    files.push_back({"graphs/associations.json", associations_json(*estimate.associations)});
+    files.push_back({"figures/associations.svg", svg_of(plot)});
+    files.push_back({"figures/associations.csv", csv_of(plot)});
+  }
 }
 
 // The run to be watched, in the world's frame: what the laser said as it was recorded, labelled as
@@ -185,6 +205,9 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
   outcome.failure = evaluator.failure();
   outcome.files = std::move(watched.figures);
   outcome.series = std::move(watched.series);
+  for (Series& series : series_of_associations(estimate, input)) {
+    outcome.series.push_back(std::move(series));
+  }
   for (Series& series : series_of_iterations(estimate, input)) {
     outcome.series.push_back(std::move(series));
   }
@@ -198,6 +221,7 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
     }
     const Trajectory& path = evaluator.world_from_robot();
     outcome.files.push_back({"trajectories/estimate.tum", tum_text(path)});
+    add_graph_files(input, evaluator, outcome.files);
     if (input.alone) {
       add_map_server_files(input, setup.options.evaluation.map, path, outcome.files);
     }

@@ -18,6 +18,19 @@ struct EvaluatedMetric {
   double (*value)(SlamEvaluator&);
 };
 
+// None of methods that search no data associations.
+template <class Value>
+double of_search(const SlamEvaluator& evaluator, const Value& value) {
+  const std::optional<AssociationTree>& tree = evaluator.estimate().associations;
+  return tree ? static_cast<double>(value(*tree)) : kNone;
+}
+
+int revised_decisions(const AssociationTree& tree) {
+  int changed = 0;
+  for (const AssociationTree::Revision& revision : tree.revisions) changed += revision.changed;
+  return changed;
+}
+
 const std::vector<EvaluatedMetric>& evaluated_metrics() {
   using E = SlamEvaluator;
   static const std::vector<EvaluatedMetric> table{
@@ -79,6 +92,14 @@ const std::vector<EvaluatedMetric>& evaluated_metrics() {
        [](E& e) { return -mean_entropy(e.map()); }},
       {{"untrusted_scans", Unit::none, "scans whose match was not trusted"},
        [](E& e) { return static_cast<double>(e.estimate().untrusted_scans); }},
+      {{"revisions", Unit::none, "times that a search of data associations took some back"},
+       [](E& e) {
+         return of_search(e, [](const AssociationTree& t) { return t.revisions.size(); });
+       }},
+      {{"revised_decisions", Unit::none, "data associations that it took back, in all of them"},
+       [](E& e) { return of_search(e, revised_decisions); }},
+      {{"searches_given_up", Unit::none, "times that it ended before it was sure of the best"},
+       [](E& e) { return of_search(e, [](const AssociationTree& t) { return t.given_up; }); }},
       {{"path_length", Unit::meter, "of the estimated path"},
        [](E& e) { return path_length(e.estimate().trajectory); }},
   };

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "bench/results/testing/example_associations.h"
 #include "core/geometry/angle.h"
 #include "core/testing/test_room.h"
 
@@ -141,6 +142,16 @@ TEST_F(SlamEvaluatorOf, OnlyWhatIsWantedIsWorkedOut) {
   input_.wanted = {"largest_error"};
   input_.true_map = [](double) -> const TrueMap& { throw std::logic_error("not wanted"); };
   EXPECT_EQ(values().size(), 1u);
+}
+
+TEST_F(SlamEvaluatorOf, CountsWhatASearchOfDataAssociationsTookBack) {
+  EXPECT_TRUE(std::isnan(values()["revisions"])) << "there was no search";
+  estimate_.associations = example_associations();
+  estimate_.associations->revisions.push_back({.changed = 3});
+  estimate_.associations->given_up = 1;
+  EXPECT_EQ(values()["revisions"], 2.0);
+  EXPECT_EQ(values()["revised_decisions"], 5.0);
+  EXPECT_EQ(values()["searches_given_up"], 1.0);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "bench/experiments/slam_series.h"
 
+#include <cmath>
 #include <string>
 
 namespace mapbed {
@@ -8,6 +9,7 @@ namespace {
 const std::string kPositionError = "position_error";
 const std::string kEffectiveNumber = "effective_number";
 const std::string kAncestors = "distinct_ancestors";
+const std::string kNewest = "newest_log_likelihood";
 
 // Of the updates those at which a point is due, and the last one.
 Series thinned(const std::string& name, const std::vector<Diversity>& updates, double start,
@@ -32,6 +34,8 @@ const std::vector<SeriesMetric>& slam_series() {
        "effective number of particles at an update, before resampling"},
       {kAncestors, Unit::none, "time", Unit::second,
        "particles of an update that have descendants at the end"},
+      {kNewest, Unit::none, "time", Unit::second,
+       "of what the newest local map saw, under the data associations of the moment, Figure 6.3"},
       {"log_likelihood", Unit::none, "iteration", Unit::none,
        "of the beams and their causes, in expectation, (4.7)"},
       {"marginal_log_likelihood", Unit::none, "iteration", Unit::none,
@@ -86,6 +90,16 @@ std::vector<Series> SlamSeries::finish(const Estimator& estimator) {
     }));
   }
   return all;
+}
+
+std::vector<Series> series_of_associations(const Estimate& estimate, const RunInput& input) {
+  if (!estimate.associations || !input.wanted.contains(kNewest)) return {};
+  Series series{.name = kNewest};
+  const double start = input.log.empty() ? 0.0 : time_of(input.log.front());
+  for (const AssociationTree::Choice& choice : estimate.associations->choices) {
+    if (std::isfinite(choice.newest)) series.points.push_back({choice.time - start, choice.newest});
+  }
+  return {series};
 }
 
 std::vector<Series> series_of_iterations(const Estimate& estimate, const RunInput& input) {

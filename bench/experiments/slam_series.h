@@ -37,6 +37,9 @@ class SlamSeries {
   Series position_error_;
 };
 
+// Of a method that searches data associations, those of slam_series() that are wanted.
+std::vector<Series> series_of_associations(const Estimate& estimate, const RunInput& input);
+
 // Of a method that iterates, those of slam_series() that are wanted.
 std::vector<Series> series_of_iterations(const Estimate& estimate, const RunInput& input);
 

@@ -93,5 +93,20 @@ TEST_F(SlamSeriesOf, OnlyWhatIsWantedIsGiven) {
   EXPECT_TRUE(series.finish(method_).empty());
 }
 
+TEST_F(SlamSeriesOf, TheLikelihoodOfTheNewestLocalMapIsThereWhereAssociationsAreSearched) {
+  Estimate estimate;
+  input_.wanted = {"newest_log_likelihood"};
+  EXPECT_TRUE(series_of_associations(estimate, input_).empty());
+  estimate.associations.emplace();
+  estimate.associations->choices = {{104.0, 0, -10.0, -10.0}, {108.0, 1, -22.5, -12.5}};
+  const std::vector<Series> all = series_of_associations(estimate, input_);
+  ASSERT_EQ(all.size(), 1u);
+  ASSERT_EQ(all[0].points.size(), 2u);
+  EXPECT_EQ(all[0].points[1].x, 8.0);
+  EXPECT_EQ(all[0].points[1].value, -12.5);
+  input_.wanted.clear();
+  EXPECT_TRUE(series_of_associations(estimate, input_).empty());
+}
+
 }  // namespace
 }  // namespace mapbed

@@ -39,8 +39,14 @@ ChosenMethod choose_method(const std::string& name_or_path, const Settings& sett
   if (is_ours(name_or_path)) {
     const Method& ours = method_by_name(name_or_path);
     ConfiguredMethod method = ours.configure(settings);
-    return {ours.name,         ours.about,        method.complete_yaml, method.files,
-            std::move(method), ours.labels_beams, ours.needs_odometry};
+    return {.name = ours.name,
+            .about = ours.about,
+            .complete_yaml = method.complete_yaml,
+            .files = method.files,
+            .what = std::move(method),
+            .labels_beams = ours.labels_beams,
+            .has_graph = ours.has_graph,
+            .needs_odometry = ours.needs_odometry};
   }
   ProgramMethod program = load_program_method(name_or_path, settings);
   return {program.name, program.about, program.complete_yaml(), program.input_files,

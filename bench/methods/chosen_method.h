@@ -19,6 +19,7 @@ struct ChosenMethod {
   InputFiles files = {};           // that were read for it
   std::variant<ConfiguredMethod, ProgramMethod> what = {};
   bool labels_beams = false;     // its estimates have labels
+  bool has_graph = false;        // they have a pose graph
   bool needs_odometry = false;   // has nothing else to go by
   std::string filter = {};       // the people filter in front of it; empty: none
   std::string filter_yaml = {};  // its options

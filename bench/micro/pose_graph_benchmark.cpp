@@ -1,5 +1,5 @@
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -68,16 +68,17 @@ bool is_missing(benchmark::State& state) {
   return true;
 }
 
-// Times of what is done once for each loop constraint, and their quantiles.
+// Times of the processor for what is done once for each loop constraint, and their quantiles, which
+// other programs on the machine do not change.
 class Times {
  public:
   template <class Function>
   void add(benchmark::State& state, const Function& function) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     function();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    state.SetIterationTime(seconds.count());
-    milliseconds_.push_back(1e3 * seconds.count());
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    state.SetIterationTime(seconds);
+    milliseconds_.push_back(1e3 * seconds);
   }
 
   void tell(benchmark::State& state) const {

@@ -189,6 +189,10 @@ std::string Publication::add(const std::string& path) try {
   refuse(folder_, error);
 }
 
+void Publication::remove(const std::string& path) {
+  list_.push_back({kRemove, path, ""});
+}
+
 void Publication::make(const std::vector<ResultFile>& files) {
   for (const ResultFile& file : files) {
     write_file(add(file.path), file.content, Durability::unsynced);

@@ -33,6 +33,9 @@ class Publication {
   // Where the file is to be written that shall stand at `path` below the folder.
   std::string add(const std::string& path);
 
+  // A file below the folder that goes, unless it comes as well.
+  void remove(const std::string& path);
+
   ~Publication();  // without commit(): as if nothing had been made
   Publication(const Publication&) = delete;
   Publication& operator=(const Publication&) = delete;

@@ -42,7 +42,7 @@ using MayGoOn = std::function<bool(std::size_t done, std::size_t total)>;
 //   config.yaml; runs, summary, series, claims, files  the same bytes for the same seed
 //   cost.csv, cost_claims.csv, provenance.json         all that differs from run to run
 //   figures/                                           of the scenario's plots
-//   maps/, trajectories/, figures/, replays/           of the first seed, by level and variant
+//   maps/, trajectories/, graphs/, figures/, replays/  of the first seed, by level and variant
 //
 // Until everything is done it writes below runs/ only, and goes on from there when it is started
 // again. An older result of the folder, of whatever configuration, stays until then; then the new

@@ -1,8 +1,8 @@
-#include "algorithms/pose_graph/block_cholesky.h"
+#include "algorithms/pose_graph/fronts/block_cholesky.h"
 
 #include <algorithm>
 
-#include "algorithms/pose_graph/dense_front.h"
+#include "algorithms/pose_graph/fronts/dense_front.h"
 
 namespace mapbed {
 namespace {
@@ -163,38 +163,61 @@ bool BlockCholesky<kSize>::factorize(const Eigen::VectorXd& added) {
   return true;
 }
 
+// L y = x: each column's unknown, then what it takes from all rows below.
+template <int kSize>
+void BlockCholesky<kSize>::solve_forward(double* x, std::vector<double>& rows) const {
+  for (std::size_t f = 0; f < structure_.fronts.size(); ++f) {
+    const Front& front = structure_.fronts[f];
+    const int columns = kSize * front.columns;
+    const int count = kSize * front.rows();
+    double* own = x + kSize * front.first;
+    std::copy_n(own, columns, rows.data());
+    std::fill(rows.begin() + columns, rows.begin() + count, 0.0);
+    const double* column = panels_.data() + panel_of_front_[f];
+    for (int j = 0; j < columns; ++j, column += count) {
+      const double value = rows[index(j)] / column[j];
+      own[j] = value;
+      for (int r = j + 1; r < count; ++r) rows[index(r)] -= value * column[r];
+    }
+    const double* taken = rows.data() + columns;
+    for (const int place : front.below) {
+      for (int r = 0; r < kSize; ++r) x[kSize * place + r] += *taken++;
+    }
+  }
+}
+
+// L' x = y
+template <int kSize>
+void BlockCholesky<kSize>::solve_backward(double* x, std::vector<double>& rows) const {
+  using Numbers = Eigen::Map<const Eigen::VectorXd>;
+  for (std::size_t f = structure_.fronts.size(); f-- > 0;) {
+    const Front& front = structure_.fronts[f];
+    const int columns = kSize * front.columns;
+    const int count = kSize * front.rows();
+    double* below = rows.data() + columns;
+    for (const int place : front.below) {
+      for (int r = 0; r < kSize; ++r) *below++ = x[kSize * place + r];
+    }
+    const double* panel = panels_.data() + panel_of_front_[f];
+    for (int j = columns - 1; j >= 0; --j) {
+      const double* column = panel + static_cast<std::ptrdiff_t>(j) * count;
+      const int left = count - j - 1;
+      const double known = Numbers(column + j + 1, left).dot(Numbers(rows.data() + j + 1, left));
+      rows[index(j)] = (x[kSize * front.first + j] - known) / column[j];
+      x[kSize * front.first + j] = rows[index(j)];
+    }
+  }
+}
+
 template <int kSize>
 Eigen::MatrixXd BlockCholesky<kSize>::solve(const Eigen::MatrixXd& right_hand_sides) const {
-  using Panel = Eigen::Map<const Eigen::MatrixXd>;
+  int most_rows = 0;
+  for (const Front& front : structure_.fronts) most_rows = std::max(most_rows, front.rows());
+  std::vector<double> rows(index(kSize * most_rows));
   Eigen::MatrixXd solution = right_hand_sides;
-  Eigen::VectorXd below;
   for (Eigen::Index side = 0; side < solution.cols(); ++side) {
-    auto x = solution.col(side);
-    for (std::size_t f = 0; f < structure_.fronts.size(); ++f) {
-      const Front& front = structure_.fronts[f];
-      const int columns = kSize * front.columns;
-      const Panel panel(panels_.data() + panel_of_front_[f], kSize * front.rows(), columns);
-      auto own = x.segment(kSize * front.first, columns);
-      panel.topRows(columns).template triangularView<Eigen::Lower>().solveInPlace(own);
-      below.noalias() = panel.bottomRows(panel.rows() - columns) * own;
-      for (std::size_t i = 0; i < front.below.size(); ++i) {
-        x.template segment<kSize>(kSize * front.below[i]) -=
-            below.segment<kSize>(kSize * static_cast<int>(i));
-      }
-    }
-    for (std::size_t f = structure_.fronts.size(); f-- > 0;) {
-      const Front& front = structure_.fronts[f];
-      const int columns = kSize * front.columns;
-      const Panel panel(panels_.data() + panel_of_front_[f], kSize * front.rows(), columns);
-      below.resize(panel.rows() - columns);
-      for (std::size_t i = 0; i < front.below.size(); ++i) {
-        below.segment<kSize>(kSize * static_cast<int>(i)) =
-            x.template segment<kSize>(kSize * front.below[i]);
-      }
-      auto own = x.segment(kSize * front.first, columns);
-      own.noalias() -= panel.bottomRows(panel.rows() - columns).transpose() * below;
-      panel.topRows(columns).template triangularView<Eigen::Lower>().transpose().solveInPlace(own);
-    }
+    solve_forward(solution.col(side).data(), rows);
+    solve_backward(solution.col(side).data(), rows);
   }
   return solution;
 }

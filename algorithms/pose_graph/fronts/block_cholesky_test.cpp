@@ -1,11 +1,11 @@
-#include "algorithms/pose_graph/block_cholesky.h"
+#include "algorithms/pose_graph/fronts/block_cholesky.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-#include "algorithms/pose_graph/dense_front.h"
 #include "algorithms/pose_graph/elimination_order.h"
+#include "algorithms/pose_graph/fronts/dense_front.h"
 #include "core/random.h"
 
 namespace mapbed {

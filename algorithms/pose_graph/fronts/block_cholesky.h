@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "algorithms/pose_graph/front_structure.h"
+#include "algorithms/pose_graph/fronts/front_structure.h"
 
 namespace mapbed {
 
@@ -50,6 +50,9 @@ class BlockCholesky {
   void assemble(std::size_t front, const Eigen::VectorXd& added, double* rest);
   void add_child(const Front& child, const double* its_rest, const Front& parent, double* panel,
                  double* rest) const;
+  // One right-hand side in place; `rows` has room for those of any front.
+  void solve_forward(double* x, std::vector<double>& rows) const;
+  void solve_backward(double* x, std::vector<double>& rows) const;
 
   FrontStructure structure_;
   std::vector<Entry> entries_;         // by columns, then rows

@@ -1,5 +1,5 @@
-#include "algorithms/pose_graph/dense_products.h"
-#include "algorithms/pose_graph/dense_tiles.h"
+#include "algorithms/pose_graph/fronts/dense_products.h"
+#include "algorithms/pose_graph/fronts/dense_tiles.h"
 
 namespace mapbed {
 

@@ -1,4 +1,4 @@
-#include "algorithms/pose_graph/front_structure.h"
+#include "algorithms/pose_graph/fronts/front_structure.h"
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ std::vector<std::vector<int>> rows_below(const std::vector<int>& tree,
     if (a != b) below[index(std::min(a, b))].push_back(std::max(a, b));
   }
   std::vector<int> seen_by(tree.size(), -1);
-  std::vector<std::vector<int>> children(tree.size());
+  std::vector<int> last_child(tree.size(), -1), earlier_child(tree.size(), -1);
   for (int column = 0; column < static_cast<int>(tree.size()); ++column) {
     std::vector<int>& own = below[index(column)];
     std::size_t kept = 0;
@@ -32,12 +32,15 @@ std::vector<std::vector<int>> rows_below(const std::vector<int>& tree,
       if (take(row)) own[kept++] = row;
     }
     own.resize(kept);
-    for (const int child : children[index(column)]) {
+    for (int child = last_child[index(column)]; child != -1; child = earlier_child[index(child)]) {
       for (const int row : below[index(child)]) {
         if (take(row)) own.push_back(row);
       }
     }
-    if (tree[index(column)] != -1) children[index(tree[index(column)])].push_back(column);
+    if (const int parent = tree[index(column)]; parent != -1) {
+      earlier_child[index(column)] = last_child[index(parent)];
+      last_child[index(parent)] = column;
+    }
   }
   return below;
 }

@@ -1,9 +1,9 @@
-#include "algorithms/pose_graph/dense_front.h"
+#include "algorithms/pose_graph/fronts/dense_front.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/pose_graph/dense_products.h"
+#include "algorithms/pose_graph/fronts/dense_products.h"
 
 namespace mapbed {
 namespace {
