@@ -27,7 +27,7 @@ struct LoopCloserOptions {
   SubmapMatcherOptions matching;
   double sure_window = 1.0;       // [m] a match in a smaller one needs no other to confirm it
   int confirmed_within = 10;      // local maps between two matches that confirm each other, at most
-  double confirming_sigma = 1.0;  // [m] of where the second has the place of the first, at most
+  double confirming_sigma = 1.5;  // [m] of where the second has the place of the first, at most
   double confidence = 0.99;       // of the region in which they must have the same place
 };
 
