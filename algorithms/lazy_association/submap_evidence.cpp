@@ -49,7 +49,7 @@ bool SubmapEvidence::is_on_surface(const Known& known, const Eigen::Vector2d& po
 Seen SubmapEvidence::seen_by(const Known& known, const Eigen::Vector2d& point) {
   Seen seen = Seen::nothing;
   for (std::size_t i = 0; i < known.robots_from_submap.size(); ++i) {
-    const Seen by_scan = known.submap.views[i].at(known.robots_from_submap[i] * point, kMargin);
+    const Seen by_scan = known.submap.extents[i].at(known.robots_from_submap[i] * point, kMargin);
     if (by_scan == Seen::free) return by_scan;
     if (by_scan == Seen::surface) seen = by_scan;
   }

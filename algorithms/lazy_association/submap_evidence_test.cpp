@@ -15,7 +15,7 @@ Submap submap_at(const TestRoom& room, const Pose2& map_from_submap) {
     const Pose2 submap_from_robot{0.4 * i, 0.0, 0.0};
     const LaserScan scan = scan_of(room, map_from_submap * submap_from_robot, kLaser);
     scans.push_back(
-        {submap_from_robot, surface_points(scan, 30.0, 0.2, 0.1), ScanView(scan, 30.0, 20.0)});
+        {submap_from_robot, surface_points(scan, 30.0, 0.2, 0.1), ScanExtent(scan, 30.0, 20.0)});
   }
   return make_submap(scans, {});
 }

@@ -35,7 +35,7 @@ std::optional<NodeChain::NewSubmap> NodeChain::add(const Measurement& measuremen
       kept.push_back(hit.cast<float>());
     }
   }
-  if (static_cast<int>(views_.size()) < options_.submaps.keyframes) return {};
+  if (static_cast<int>(extents_.size()) < options_.submaps.keyframes) return {};
   return end();
 }
 
@@ -61,7 +61,7 @@ void NodeChain::add_node(const LaserScan& scan, std::span<const float> beam_weig
   node_times_.push_back(scan.time);
   node_scans_.push_back(
       scan_for_weighting(scan, options_.points, {}, options_.map_resolution, beam_weights));
-  views_.emplace_back(scan, options_.submaps.max_range, BeamLimits{}.no_return_range);
+  extents_.emplace_back(scan, options_.submaps.max_range, BeamLimits{}.no_return_range);
 }
 
 // The motion to a new node from the one before, as a belief.
@@ -74,14 +74,14 @@ PosePrior NodeChain::step_to(const Pose2& motion) const {
 }
 
 std::optional<NodeChain::NewSubmap> NodeChain::end() {
-  if (views_.empty()) return {};
-  const std::size_t count = views_.size(), first = nodes() - count, middle = first + count / 2;
+  if (extents_.empty()) return {};
+  const std::size_t count = extents_.size(), first = nodes() - count, middle = first + count / 2;
   std::vector<SubmapScan> scans;
   for (std::size_t i = 0; i < count; ++i) {
     scans.push_back({motion_between(track_from_nodes_[middle], track_from_nodes_[first + i]),
-                     node_scans_[first + i].surface, std::move(views_[i])});
+                     node_scans_[first + i].surface, std::move(extents_[i])});
   }
-  views_.clear();
+  extents_.clear();
   return NewSubmap{make_submap(scans, options_.submaps),
                    static_cast<int>(middle),
                    {node_times_[first], node_times_.back()}};

@@ -93,8 +93,8 @@ class NodeChain {
   std::vector<Pose2> track_from_nodes_;
   std::vector<double> node_times_;  // [s]
   std::vector<ScanForWeighting> node_scans_;
-  std::vector<KeptHits> hits_;   // for refinement, of each scan but those of nodes
-  std::vector<ScanView> views_;  // of the local map that is being made
+  std::vector<KeptHits> hits_;       // for refinement, of each scan but those of nodes
+  std::vector<ScanExtent> extents_;  // of the local map that is being made
   Known known_ = Known::by_scans;
   std::vector<PoseConstraint<Pose2>> steps_;
 };

@@ -11,7 +11,7 @@ Submap make_submap(const std::vector<SubmapScan>& scans, const SubmapOptions& op
   SurfaceMeans means(options.resolution);
   for (const SubmapScan& scan : scans) {
     submap.path.push_back(scan.submap_from_robot);
-    submap.views.push_back(scan.view);
+    submap.extents.push_back(scan.extent);
     means.add(transformed(scan.surface, scan.submap_from_robot));
   }
   submap.surface = means.means();

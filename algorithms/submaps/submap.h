@@ -6,7 +6,7 @@
 #include "algorithms/field/bound_pyramid.h"
 #include "algorithms/field/likelihood_field.h"
 #include "algorithms/scan/surface_points.h"
-#include "algorithms/submaps/scan_view.h"
+#include "algorithms/submaps/scan_extent.h"
 #include "core/config/option.h"
 #include "core/geometry/pose2.h"
 
@@ -32,14 +32,14 @@ void visit_fields(SubmapOptions& o, Visitor&& visit) {
 struct SubmapScan {
   Pose2 submap_from_robot;
   std::vector<SurfacePoint> surface;  // [m] in the robot frame
-  ScanView view;
+  ScanExtent extent;
 };
 
 // A piece of the path, as long as scan matching is right about it, and what was seen from there,
 // section 6.3: rigid, so that where it lies is one pose. Frames are those of a scan in its middle.
 struct Submap {
   std::vector<Pose2> path;            // submap_from_robot of its scans
-  std::vector<ScanView> views;        // of these, in their robot frames
+  std::vector<ScanExtent> extents;    // of these, in their robot frames
   std::vector<SurfacePoint> surface;  // [m] in its frame, a point for each cell that was hit
 };
 Submap make_submap(const std::vector<SubmapScan>& scans, const SubmapOptions& options);

@@ -32,8 +32,8 @@ std::vector<Eigen::Vector2d> spread_evenly(const std::vector<SurfacePoint>& poin
 Seen seen_from(const Submap& submap, const std::vector<Pose2>& robots_from_submap,
                const Eigen::Vector2d& point) {
   Seen seen = Seen::nothing;
-  for (std::size_t i = 0; i < submap.views.size(); ++i) {
-    const Seen by_scan = submap.views[i].at(robots_from_submap[i] * point, kMargin);
+  for (std::size_t i = 0; i < submap.extents.size(); ++i) {
+    const Seen by_scan = submap.extents[i].at(robots_from_submap[i] * point, kMargin);
     if (by_scan == Seen::free) return by_scan;
     if (by_scan == Seen::surface) seen = by_scan;
   }

@@ -20,7 +20,7 @@ Submap submap_along(const TestRoom& room, const Pose2& map_from_submap, int scan
     const Pose2 submap_from_robot{0.5 * (i - scans / 2), 0.0, 0.0};
     const LaserScan scan = scan_of(room, map_from_submap * submap_from_robot, kLaser);
     taken.push_back(
-        {submap_from_robot, surface_points(scan, 30.0, 0.2, 0.1), ScanView(scan, 30.0, 20.0)});
+        {submap_from_robot, surface_points(scan, 30.0, 0.2, 0.1), ScanExtent(scan, 30.0, 20.0)});
   }
   return make_submap(taken, {});
 }

@@ -17,12 +17,12 @@ enum class Seen : int {
 // How far the beams of a scan went in each direction: small enough to keep for every scan of a long
 // log. Beams of one sweep, or of several lasers, are taken as seen from where each laser was in the
 // middle of them.
-class ScanView {
+class ScanExtent {
  public:
   // Hits beyond `max_range` [m], and the ends of beams that hit nothing, tell of free ground before
   // them alone; of lasers that reach farther than `no_return_range` [m] a missing return says
   // nothing.
-  ScanView(const LaserScan& scan, double max_range, double no_return_range);
+  ScanExtent(const LaserScan& scan, double max_range, double no_return_range);
 
   // Of a point in the robot frame [m], that is at a surface where it lies at most `margin` [m]
   // before or behind the end of the beams next to it: free or hidden only as both of them say.

@@ -1,4 +1,4 @@
-#include "algorithms/submaps/scan_view.h"
+#include "algorithms/submaps/scan_extent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ std::vector<Part> parts_of(const LaserScan& scan) {
 
 }  // namespace
 
-ScanView::ScanView(const LaserScan& scan, double max_range, double no_return_range) {
+ScanExtent::ScanExtent(const LaserScan& scan, double max_range, double no_return_range) {
   for (const Part& part : parts_of(scan)) {
     if (part.count < 2 || part.first + part.count > scan.ranges.size()) continue;
     const auto direction_of = [&](std::size_t beam) {
@@ -69,7 +69,7 @@ ScanView::ScanView(const LaserScan& scan, double max_range, double no_return_ran
   }
 }
 
-Seen ScanView::seen_by(const Fan& fan, const Eigen::Vector2d& point_in_robot, double margin) {
+Seen ScanExtent::seen_by(const Fan& fan, const Eigen::Vector2d& point_in_robot, double margin) {
   const Eigen::Vector2d point = inverse(fan.robot_from_laser) * point_in_robot;
   const double distance = point.norm();
   // Counted from the first beam on, in [0, 2 pi) the way the beams turn.
@@ -94,7 +94,7 @@ Seen ScanView::seen_by(const Fan& fan, const Eigen::Vector2d& point_in_robot, do
   return ends_there ? Seen::surface : Seen::nothing;
 }
 
-Seen ScanView::at(const Eigen::Vector2d& point_in_robot, double margin) const {
+Seen ScanExtent::at(const Eigen::Vector2d& point_in_robot, double margin) const {
   Seen seen = Seen::nothing;
   for (const Fan& fan : fans_) {
     const Seen by_fan = seen_by(fan, point_in_robot, margin);
