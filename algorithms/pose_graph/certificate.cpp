@@ -143,11 +143,11 @@ class RotationHessian {
 }  // namespace
 
 template <class Pose>
-Certificate<Pose> certify(const PoseGraph<Pose>& graph, const CertificateOptions& options) {
+Certificate certify(const PoseGraph<Pose>& graph, const CertificateOptions& options) {
   constexpr int kD = kDimension<Pose>;
   const IsotropicProblem<Pose> problem = isotropic_problem(graph);
-  StationaryPoint<Pose> point = polish(graph, problem);
-  Certificate<Pose> certificate;
+  const StationaryPoint<Pose> point = polish(graph, problem);
+  Certificate certificate;
   certificate.anisotropy = std::max(1.0 - problem.least_part, 1.0 - 1.0 / problem.most_part);
   certificate.problem = certificate.anisotropy <= options.max_anisotropy
                             ? CertifiedProblem::own
@@ -177,11 +177,10 @@ Certificate<Pose> certify(const PoseGraph<Pose>& graph, const CertificateOptions
   certificate.lower_bound = certificate.objective - certificate.gap;
   certificate.own_lower_bound = problem.least_part * certificate.lower_bound;
   certificate.certified = certificate.stationary && certificate.gap <= allowed;
-  certificate.poses = std::move(point.poses);
   return certificate;
 }
 
-template Certificate<Pose2> certify(const PoseGraph<Pose2>&, const CertificateOptions&);
-template Certificate<Pose3> certify(const PoseGraph<Pose3>&, const CertificateOptions&);
+template Certificate certify(const PoseGraph<Pose2>&, const CertificateOptions&);
+template Certificate certify(const PoseGraph<Pose3>&, const CertificateOptions&);
 
 }  // namespace mapbed

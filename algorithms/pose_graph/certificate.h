@@ -19,7 +19,6 @@ enum class CertifiedProblem : int {
   isotropic  // of isotropic_problem.h, which has other optima than the graph
 };
 
-template <class Pose>
 struct Certificate {
   CertifiedProblem problem = CertifiedProblem::isotropic;
   // The poses are the global optimum of the problem, but for max_gap. Where false nothing is said:
@@ -36,8 +35,8 @@ struct Certificate {
   // J of the graph at any poses is no less.
   double own_lower_bound = 0.0;
 
-  std::vector<Pose> poses;  // where f is stationary, next to those that were given
-  double moved = 0.0;       // [m] how far the furthest of them is from where it was given
+  // Where f is stationary, next to the poses that were given: how far the furthest node has moved.
+  double moved = 0.0;       // [m]
   double turned = 0.0;      // [rad]
   bool stationary = false;  // false: no such place was found, and nothing is certified
 };
@@ -50,6 +49,6 @@ struct Certificate {
 // for which it is, the minimal eigenvalue of S, is found by Lanczos' steps with the inverse.
 // A graph of several parts is optimal where each of them is.
 template <class Pose>
-Certificate<Pose> certify(const PoseGraph<Pose>& graph, const CertificateOptions& options = {});
+Certificate certify(const PoseGraph<Pose>& graph, const CertificateOptions& options = {});
 
 }  // namespace mapbed

@@ -27,7 +27,7 @@ struct IncrementalGraphOptions {
 //
 // Optima are local ones, found by Gauss-Newton steps that are halved where J would grow; for a
 // start that is far off, or constraints that may be wrong, see graph_optimizer.h. Copies share
-// nothing: 0.05 ms for 200 nodes.
+// nothing: 0.01 ms for 200 nodes.
 template <class Pose>
 class IncrementalGraph {
  public:

@@ -35,7 +35,7 @@ void expect_certified(PoseGraph<Pose> graph, double published) {
   }
   graph.nodes = chordal_poses(graph);
   graph.nodes = optimize(graph).poses;
-  const Certificate<Pose> certificate = certify(graph);
+  const Certificate certificate = certify(graph);
   EXPECT_TRUE(certificate.certified);
   EXPECT_EQ(certificate.problem, CertifiedProblem::isotropic);
   EXPECT_GT(certificate.min_eigenvalue, 0.0);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/cli/certificate_report.h"
 #include "bench/cli/command_line.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/graph_run.h"
@@ -55,6 +56,10 @@ void print_report(const std::string& path, const GraphRun& run, double reading) 
   fmt::print("chi2: {:.6g} from {}, {:.9g} after {} iterations{}; {:.1f} ms\n", run.start_chi2,
              run.start_name, run.chi2, run.iterations, run.converged ? "" : " (not converged)",
              1e3 * run.seconds);
+  if (run.certificate) {
+    fmt::print("{}; {:.1f} ms\n", certificate_text(*run.certificate),
+               1e3 * run.certificate_seconds);
+  }
   if (run.config.optimization.robust.loss == RobustLoss::none) return;
   int off = 0;
   for (const double weight : run.weights) off += weight < 0.5;

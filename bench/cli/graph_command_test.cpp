@@ -72,6 +72,25 @@ TEST_F(GraphCommand, SaysWhichLoopClosuresItSwitchedOff) {
   EXPECT_THAT(text("wrong_graph/picture.svg"), HasSubstr("switched off"));
 }
 
+// With as much information in x as in y, whatever that of the heading, the graph's own problem.
+TEST_F(GraphCommand, CertifiesTheGlobalOptimumWhereNothingIsDoubted) {
+  EXPECT_THAT(call({"graph", "line.g2o"}).out,
+              HasSubstr("certified as the global optimum of this graph: f = 0.015"));
+  EXPECT_TRUE(report()["certificate"]["certified"]);
+  EXPECT_EQ(report()["certificate"]["problem"], "own");
+  EXPECT_NEAR(report()["certificate"]["objective"], 0.015, 1e-12);
+
+  write("other.g2o", std::string(kNodes) + kEdges + "EDGE_SE2 12 10 -2 0 0 1 0 0 4 0 1\n");
+  EXPECT_THAT(call({"graph", "other.g2o"}).out,
+              HasSubstr("of the graph with isotropic noise in place of its own"));
+  EXPECT_EQ(report("other_graph")["certificate"]["problem"], "isotropic");
+
+  for (const char* setting : {"certify=false", "optimization.robust.loss=cauchy"}) {
+    EXPECT_THAT(call({"graph", "line.g2o", "--set", setting}).out, Not(HasSubstr("certified")));
+    EXPECT_FALSE(report().contains("certificate"));
+  }
+}
+
 TEST_F(GraphCommand, SaysThatComponentsAreNotJoined) {
   write("two.g2o", std::string(kNodes) + kEdges + "VERTEX_SE2 20 5 5 0\nVERTEX_SE2 21 6 5 0\n" +
                        "EDGE_SE2 20 21 1 0 0 1 0 0 1 0 1\n");

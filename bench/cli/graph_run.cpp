@@ -72,11 +72,35 @@ void optimize_graph(const std::string& path, PoseGraph<Pose> graph, GraphRun& ru
   run.components =
       components.empty() ? 0 : 1 + *std::max_element(components.begin(), components.end());
   graph.nodes = std::move(optimum.poses);
+  // Two nodes of a component that are held say more than its constraints.
+  const bool is_free = static_cast<int>(graph.held.size()) <= run.components;
+  if (run.config.certify && run.config.optimization.robust.loss == RobustLoss::none && is_free &&
+      !graph.constraints.empty()) {
+    const Stopwatch certifying;
+    run.certificate = certify(graph);
+    run.certificate_seconds = certifying.seconds();
+  }
   run.best = std::move(graph);
   run.chi2 = optimum.chi2_after;
   run.iterations = optimum.iterations;
   run.converged = optimum.converged;
   run.weights = std::move(optimum.weights);
+}
+
+nlohmann::ordered_json certificate_json(const Certificate& certificate) {
+  nlohmann::ordered_json json;
+  json["certified"] = certificate.certified;
+  json["problem"] = certificate.problem == CertifiedProblem::own ? "own" : "isotropic";
+  json["anisotropy"] = certificate.anisotropy;
+  json["stationary"] = certificate.stationary;
+  json["objective"] = certificate.objective;
+  json["lower_bound"] = certificate.lower_bound;
+  json["gap"] = certificate.gap;
+  json["min_eigenvalue"] = certificate.min_eigenvalue;
+  json["moved"] = certificate.moved;
+  json["turned"] = certificate.turned;
+  json["chi2_lower_bound"] = certificate.own_lower_bound;
+  return json;
 }
 
 std::string graph_file_name(const GraphRun& run) {
@@ -136,6 +160,7 @@ std::string graph_json(const std::string& path, const GraphRun& run) {
   json["iterations"] = run.iterations;
   json["converged"] = run.converged;
   json["seconds"] = run.seconds;
+  if (run.certificate) json["certificate"] = certificate_json(*run.certificate);
   json["switched_off"] = off;
   json["remarks"] = run.remarks;
   return json.dump(2) + "\n";

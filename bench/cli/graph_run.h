@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "algorithms/pose_graph/certificate.h"
 #include "algorithms/pose_graph/graph_file.h"
 #include "algorithms/pose_graph/graph_optimizer.h"
 #include "core/config/settings.h"
@@ -19,6 +21,7 @@ enum class GraphStart : int {
 
 struct GraphConfig {
   GraphStart start = GraphStart::best;
+  bool certify = true;
   GraphFileOptions file;
   GraphOptimizationOptions optimization;
 };
@@ -28,6 +31,8 @@ void visit_fields(GraphConfig& o, Visitor&& visit) {
   visit("start", o.start, {"best", "file", "chordal", "spanning_tree"},
         "poses that it begins with: the file's, chordal ones, those along a spanning tree, or the "
         "better of the first two");
+  visit("certify", o.certify,
+        "whether it is looked into if the optimum is the global one, where nothing is doubted");
   visit("file", o.file, "how the file is read");
   visit("optimization", o.optimization, "how the graph is optimised");
 }
@@ -47,6 +52,8 @@ struct GraphRun {
   bool converged = false;
   double seconds = 0.0;  // start and optimisation
   std::vector<double> weights;
+  std::optional<Certificate> certificate;
+  double certificate_seconds = 0.0;
   std::vector<std::string> remarks;
 };
 
