@@ -66,8 +66,12 @@ struct Descent {
   bool converged = false;
 };
 
-constexpr double kGoodGain = 0.75;  // of what a step promises
-constexpr double kNoCost = 1e-12;   // chi-square below which there is nothing to gain
+// Where a step gains less of what it promises, positions are solved anew for its rotations: in the
+// plane alone. From a start that is far off in space they would lead into another optimum.
+constexpr double kGoodGain = 0.75;
+template <class Pose>
+constexpr bool kSolvesPositions = kDegreesOfFreedom<Pose> == 3;
+constexpr double kNoCost = 1e-12;  // chi-square below which there is nothing to gain
 
 // Downhill from `position`, which is left at the lowest place that was found.
 template <class Control, class Pose>
@@ -87,7 +91,8 @@ Descent descend(const PoseGraph<Pose>& graph, const Losses& losses, Control cont
     const bool is_last = step->predicted <= least && control.is_free();
 
     Position<Pose> trial = position_at(graph, equations.moved(position.nodes, step->step), losses);
-    if (position.cost - trial.cost < kGoodGain * step->predicted && !is_last) {
+    if (kSolvesPositions<Pose> && !is_last &&
+        position.cost - trial.cost < kGoodGain * step->predicted) {
       if (!positions) positions.emplace(graph);
       Position<Pose> other =
           position_at(graph, positions->solve(graph, trial.nodes, trial.weights), losses);
