@@ -104,6 +104,7 @@ TEST(MapRun, WhatAnOlderMapHadBesidesGoesWithIt) {
   const RecordedLog log = room_log();
   const TemporaryFolder folder;
   write_map_run(folder.file("."), "room.log", log, run_of(log, "graph"));
+  ASSERT_TRUE(std::filesystem::exists(folder.file("graph.g2o")));
   write_text_file(folder.file("associations.json"), "somebody's");  // it did not write that
   write_map_run(folder.file("."), "room.log", log, run_of(log, "odometry"));
   EXPECT_FALSE(std::filesystem::exists(folder.file("graph.g2o")));
