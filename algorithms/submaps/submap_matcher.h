@@ -46,7 +46,7 @@ void visit_fields(SubmapMatcherOptions& o, Visitor&& visit) {
   visit("min_odds", o.min_odds, between(1.0, 1e12), "odds of the place found to any other one");
   visit("least_sigma", o.least_sigma, Unit::meter, kPositive, "sigma of a match at least");
   visit("least_turn_sigma", o.least_turn_sigma, Unit::radian, kPositive, "the same of its heading");
-  visit("max_blocks", o.max_blocks, between(0, 1'000'000'000),
+  visit("max_blocks", o.max_blocks, between(0, 10'000'000),
         "blocks of poses that a search looks at at most; 0: any number");
 }
 
