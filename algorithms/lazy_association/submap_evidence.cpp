@@ -12,7 +12,6 @@ namespace mapbed {
 namespace {
 
 constexpr double kOnSurface = 0.2;   // [m] across its line, a point is taken to lie on it
-constexpr double kMargin = 0.3;      // [m] as in submap_matcher.cpp
 constexpr double kSamePlace = 0.04;  // [m] pairs that moved by less are not compared again
 constexpr double kSameTurn = 0.01;   // [rad]
 constexpr std::size_t kRemembered = 4;
@@ -46,16 +45,6 @@ bool SubmapEvidence::is_on_surface(const Known& known, const Eigen::Vector2d& po
   return off.squaredNorm() <= kOnSurface * kOnSurface;
 }
 
-Seen SubmapEvidence::seen_by(const Known& known, const Eigen::Vector2d& point) {
-  Seen seen = Seen::nothing;
-  for (std::size_t i = 0; i < known.robots_from_submap.size(); ++i) {
-    const Seen by_scan = known.submap.extents[i].at(known.robots_from_submap[i] * point, kMargin);
-    if (by_scan == Seen::free) return by_scan;
-    if (by_scan == Seen::surface) seen = by_scan;
-  }
-  return seen;
-}
-
 SubmapEvidence::Marks SubmapEvidence::compared(const Known& earlier, const Known& later,
                                                const Pose2& earlier_from_later) {
   Marks marks;
@@ -64,14 +53,15 @@ SubmapEvidence::Marks SubmapEvidence::compared(const Known& earlier, const Known
     const std::uint64_t bit = std::uint64_t{1} << i;
     if (is_on_surface(earlier, point)) {
       marks.matched |= bit;
-    } else if (seen_by(earlier, point) != Seen::nothing) {
+    } else if (seen_in(earlier.submap, earlier.robots_from_submap, point) != Seen::nothing) {
       marks.contradicted |= bit;
     }
   }
   const Pose2 later_from_earlier = inverse(earlier_from_later);
   for (const Eigen::Vector2d& point_in_earlier : earlier.points) {
     const Eigen::Vector2d point = later_from_earlier * point_in_earlier;
-    if (!is_on_surface(later, point) && seen_by(later, point) == Seen::free) {
+    if (!is_on_surface(later, point) &&
+        seen_in(later.submap, later.robots_from_submap, point) == Seen::free) {
       ++marks.looked_through;
     }
   }

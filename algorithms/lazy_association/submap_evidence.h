@@ -69,7 +69,6 @@ class SubmapEvidence {
   static constexpr int kPoints = 64;
 
   static bool is_on_surface(const Known& known, const Eigen::Vector2d& point);
-  static Seen seen_by(const Known& known, const Eigen::Vector2d& point);
   static Marks compared(const Known& earlier, const Known& later, const Pose2& earlier_from_later);
   const Marks& marks_of(int earlier, int later, const Pose2& earlier_from_later);
 

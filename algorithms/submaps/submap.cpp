@@ -5,6 +5,18 @@
 
 namespace mapbed {
 
+Seen seen_in(const Submap& submap, const std::vector<Pose2>& robots_from_submap,
+             const Eigen::Vector2d& point) {
+  constexpr double kMargin = 0.3;  // [m]
+  Seen seen = Seen::nothing;
+  for (std::size_t i = 0; i < submap.extents.size(); ++i) {
+    const Seen by_scan = submap.extents[i].at(robots_from_submap[i] * point, kMargin);
+    if (by_scan == Seen::free) return by_scan;
+    if (by_scan == Seen::surface) seen = by_scan;
+  }
+  return seen;
+}
+
 Submap make_submap(const std::vector<SubmapScan>& scans, const SubmapOptions& options) {
   CHECK(!scans.empty());
   Submap submap;

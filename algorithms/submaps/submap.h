@@ -42,6 +42,13 @@ struct Submap {
   std::vector<ScanExtent> extents;    // of these, in their robot frames
   std::vector<SurfacePoint> surface;  // [m] in its frame, a point for each cell that was hit
 };
+
+// What its scans say of a point in its frame [m]: free where any of them looked through it, a
+// surface within a margin of where beams ended. The inverses of its path are asked for, as points
+// are many.
+Seen seen_in(const Submap& submap, const std::vector<Pose2>& robots_from_submap,
+             const Eigen::Vector2d& point);
+
 Submap make_submap(const std::vector<SubmapScan>& scans, const SubmapOptions& options);
 
 // What of a local map others are matched with. Ten times as large as the map, so that it is made

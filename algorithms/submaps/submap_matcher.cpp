@@ -16,7 +16,6 @@ namespace {
 constexpr double kLatticeLoss = 0.25;
 constexpr double kOnSurface = 0.5;  // of the way from a surface's log-likelihood to an outlier's
 constexpr double kPointsTogether = 10.0;  // that err alike
-constexpr double kMargin = 0.3;  // [m] about the end of a beam that a surface of it lies in
 
 std::vector<Eigen::Vector2d> spread_evenly(const std::vector<SurfacePoint>& points, int at_most) {
   const auto count = std::min(points.size(), static_cast<std::size_t>(at_most));
@@ -28,18 +27,6 @@ std::vector<Eigen::Vector2d> spread_evenly(const std::vector<SurfacePoint>& poin
   return result;
 }
 
-// What the scans of a local map say of a point in its frame.
-Seen seen_from(const Submap& submap, const std::vector<Pose2>& robots_from_submap,
-               const Eigen::Vector2d& point) {
-  Seen seen = Seen::nothing;
-  for (std::size_t i = 0; i < submap.extents.size(); ++i) {
-    const Seen by_scan = submap.extents[i].at(robots_from_submap[i] * point, kMargin);
-    if (by_scan == Seen::free) return by_scan;
-    if (by_scan == Seen::surface) seen = by_scan;
-  }
-  return seen;
-}
-
 // Points of one local map in the other.
 void compare(const Submap& seer, const LikelihoodField& field, const Submap& seen,
              const Pose2& seer_from_seen, int at_most, Agreement& agreement) {
@@ -49,7 +36,7 @@ void compare(const Submap& seer, const LikelihoodField& field, const Submap& see
     const Eigen::Vector2d point = seer_from_seen * point_in_seen;
     if (field.log_at(point) > kOnSurface * double{field.outlier_log()}) {
       agreement.matched += 1.0;
-    } else if (seen_from(seer, robots_from_seer, point) != Seen::nothing) {
+    } else if (seen_in(seer, robots_from_seer, point) != Seen::nothing) {
       agreement.contradicted += 1.0;
     } else {
       agreement.unseen += 1.0;
