@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "algorithms/pose_graph/graph_optimizer.h"
+#include "algorithms/submaps/loop_graph.h"
 #include "algorithms/submaps/reach.h"
 #include "core/check.h"
 #include "core/geometry/angle.h"
@@ -15,8 +16,6 @@
 namespace mapbed {
 namespace {
 
-constexpr double kBelieved = 0.5;   // weight of a constraint
-constexpr double kWidth = 3.0;      // [sigma] as of the method `graph`
 constexpr double kSamePlace = 0.2;  // [m]
 constexpr double kSameTurn = 0.03;  // [rad]
 
@@ -240,9 +239,7 @@ void LazySlam::finish() {
       graph.constraints.push_back(loops.constraint_of(*match));
     }
   }
-  GraphOptimizationOptions options;
-  options.robust = {.loss = RobustLoss::switchable, .width = kWidth};
-  GraphOptimum<Pose2> optimum = optimize(graph, options);
+  GraphOptimum<Pose2> optimum = optimize(graph, loop_optimization(LoopStage::online));
   graph.nodes = std::move(optimum.poses);
   for (int query = 0; query < static_cast<int>(loops.size()); ++query) {
     for (const LoopMatch& match : loops.find(query, graph, optimum.weights)) {
@@ -250,12 +247,9 @@ void LazySlam::finish() {
       optimum.weights.push_back(1.0);
     }
   }
-  options.robust.loss = RobustLoss::graduated_truncated;
-  optimum = optimize(graph, options);
-  finished_ = PoseGraph<Pose2>{.nodes = std::move(optimum.poses), .constraints = {}};
-  for (std::size_t i = 0; i < graph.constraints.size(); ++i) {
-    if (optimum.weights[i] >= kBelieved) finished_->constraints.push_back(graph.constraints[i]);
-  }
+  optimum = optimize(graph, loop_optimization(LoopStage::final));
+  graph.nodes = std::move(optimum.poses);
+  finished_ = believed(graph, optimum.weights);
   refused_ = static_cast<int>(graph.constraints.size() - finished_->constraints.size());
 }
 

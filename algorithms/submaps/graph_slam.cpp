@@ -5,16 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/pose_graph/graph_optimizer.h"
-
 namespace mapbed {
-namespace {
-
-constexpr double kBelieved = 0.5;  // weight of a constraint
-constexpr double kWidth = 3.0;     // [sigma] of a loop that is off, before it counts less
-
-}  // namespace
-
 GraphSlam::GraphSlam(const GraphSlamOptions& options, const Pose2& start)
     : options_(options),
       start_(start),
@@ -42,7 +33,7 @@ void GraphSlam::add_submap(NodeChain::NewSubmap submap) {
       loops_.find(static_cast<int>(loops_.size()) - 1, graph_, weights_);
   if (matches.empty()) return;
   believe(matches);
-  optimize_graph(false);
+  optimize_graph(LoopStage::online);
 }
 
 void GraphSlam::believe(const std::vector<LoopMatch>& matches) {
@@ -52,11 +43,8 @@ void GraphSlam::believe(const std::vector<LoopMatch>& matches) {
   }
 }
 
-void GraphSlam::optimize_graph(bool finally) {
-  GraphOptimizationOptions options;
-  options.robust.loss = finally ? RobustLoss::graduated_truncated : RobustLoss::switchable;
-  options.robust.width = kWidth;
-  GraphOptimum<Pose2> optimum = optimize(graph_, options);
+void GraphSlam::optimize_graph(LoopStage stage) {
+  GraphOptimum<Pose2> optimum = optimize(graph_, loop_optimization(stage));
   graph_.nodes = std::move(optimum.poses);
   weights_ = std::move(optimum.weights);
 }
@@ -66,7 +54,7 @@ void GraphSlam::finish() {
   for (int query = 0; query < static_cast<int>(loops_.size()); ++query) {
     believe(loops_.find(query, graph_, weights_));
   }
-  if (!graph_.nodes.empty()) optimize_graph(true);
+  if (!graph_.nodes.empty()) optimize_graph(LoopStage::final);
 }
 
 Pose2 GraphSlam::pose() const {
@@ -77,18 +65,10 @@ Trajectory GraphSlam::path_so_far() const {
   return chain_.trajectory(graph_.nodes);
 }
 
-PoseGraph<Pose2> GraphSlam::believed() const {
-  PoseGraph<Pose2> graph{.nodes = graph_.nodes, .constraints = {}};
-  for (std::size_t i = 0; i < graph_.constraints.size(); ++i) {
-    if (weights_[i] >= kBelieved) graph.constraints.push_back(graph_.constraints[i]);
-  }
-  return graph;
-}
-
 Estimate GraphSlam::estimate() const {
   Estimate result = chain_.estimate(graph_.nodes);
   if (graph_.nodes.empty()) return result;
-  result.graph = believed();
+  result.graph = believed(graph_, weights_);
   const auto loops =
       std::count_if(graph_.constraints.begin(), graph_.constraints.end(),
                     [](const PoseConstraint<Pose2>& constraint) { return constraint.closes_loop; });

@@ -5,6 +5,7 @@
 #include "algorithms/estimator.h"
 #include "algorithms/submaps/graph_slam_options.h"
 #include "algorithms/submaps/loop_closer.h"
+#include "algorithms/submaps/loop_graph.h"
 #include "algorithms/submaps/node_chain.h"
 
 namespace mapbed {
@@ -30,8 +31,7 @@ class GraphSlam : public Estimator {
   void append_nodes();
   void add_submap(NodeChain::NewSubmap submap);
   void believe(const std::vector<LoopMatch>& matches);
-  void optimize_graph(bool finally);
-  PoseGraph<Pose2> believed() const;
+  void optimize_graph(LoopStage stage);
 
   GraphSlamOptions options_;
   Pose2 start_;

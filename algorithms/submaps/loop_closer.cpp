@@ -56,7 +56,6 @@ std::vector<LoopMatch> LoopCloser::find(int query, const PoseGraph<Pose2>& graph
   const std::vector<LoopCandidate> candidates =
       loop_candidates({submaps_, nodes_}, query, graph, weights, options_.search);
   const std::vector<LoopMatch> matches = matches_of(query, candidates);
-  matched_ += static_cast<int>(matches.size());
   std::vector<LoopMatch> believed;
   for (const LoopMatch& match : matches) {
     bool confirmed = match.window <= options_.sure_window;

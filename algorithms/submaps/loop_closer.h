@@ -63,7 +63,6 @@ class LoopCloser {
                               const std::vector<double>& weights);
 
   PoseConstraint<Pose2> constraint_of(const LoopMatch& match) const;
-  int matched() const { return matched_; }  // pairs of local maps that agree
   int waiting() const { return static_cast<int>(waiting_.size()); }
 
  private:
@@ -78,7 +77,6 @@ class LoopCloser {
   SubmapFields fields_;
   std::set<std::pair<int, int>> searched_;  // target, query
   std::vector<LoopMatch> waiting_;          // for another that confirms them
-  int matched_ = 0;
 };
 
 }  // namespace mapbed
