@@ -129,7 +129,9 @@ bool SparseFactor<B>::factorize(std::span<const NodeBlock<B>> blocks, const Eige
     const Eigen::LLT<Block> cholesky(diagonal_[at(p)]);
     if (cholesky.info() != Eigen::Success || !diagonal_[at(p)].allFinite()) return false;
     diagonal_[at(p)] = cholesky.matrixL();
-    cholesky.matrixU().template solveInPlace<Eigen::OnTheRight>(panel(p));
+    if (columns_[at(p)].size > 0) {
+      cholesky.matrixU().template solveInPlace<Eigen::OnTheRight>(panel(p));
+    }
     cholesky.matrixL().solveInPlace(reduced_[at(p)]);
     minimum_ -= reduced_[at(p)].squaredNorm();
     subtract_from_later(p);
