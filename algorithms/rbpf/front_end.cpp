@@ -65,6 +65,9 @@ UpdateMotion FrontEnd::motion_to(const Place& place, const std::optional<Pose2>&
   const std::optional<Pose2> by_odometry = condensed ? step : motion_since(at_update_, odometry);
   return {.whole = motion_between(before.track_from_robot, place.track),
           .condensed = condensed ? motion_between(before.seen_from_robot, condensed_to) : Pose2{},
+          .condensed_doubt =
+              condensed ? matcher_.blind_spread(condensed_scans_, scans_.back().time - before.time)
+                        : std::nullopt,
           .step = place.predicted ? motion_between(condensed_to, *place.predicted) : by_odometry,
           .seconds = time - scans_.back().time,
           .guess = motion_between(before.seen_from_robot, place.seen),

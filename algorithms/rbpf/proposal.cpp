@@ -37,7 +37,10 @@ PosePrior prior_of_step(const Pose2& before, const UpdateMotion& motion,
 }  // namespace
 
 PosePrior prior_after(const Pose2& start, const UpdateMotion& motion, const MotionErrors& errors) {
-  const PosePrior condensed = gaussian_after(start, motion.condensed, errors.condensed);
+  PosePrior condensed = gaussian_after(start, motion.condensed, errors.condensed);
+  if (motion.condensed_doubt) {
+    condensed.information = (condensed.information.inverse() + *motion.condensed_doubt).inverse();
+  }
   return chained(condensed, prior_of_step(condensed.mean, motion, errors));
 }
 

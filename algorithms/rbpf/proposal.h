@@ -22,8 +22,10 @@ enum class Proposal : int {
 
 // Of the robot from the last update to the one to be made.
 struct UpdateMotion {
-  Pose2 whole;                // by odometry and scan matching
-  Pose2 condensed;            // up to the last scan that was matched before the update's
+  Pose2 whole;      // by odometry and scan matching
+  Pose2 condensed;  // up to the last scan that was matched before the update's
+  // Beyond the errors of matching: covariance of (x, y, theta) in the frame of its end.
+  std::optional<Eigen::Matrix3d> condensed_doubt = {};
   std::optional<Pose2> step;  // on from there, by odometry; none: there is none
   double seconds = 0.0;       // of that step
   Pose2 guess;                // with the help of the update's scan
@@ -46,7 +48,7 @@ struct MotionErrors {
 };
 
 // Where a particle is before the update's scan is looked at: after the condensed motion, whose
-// errors are those of matching, and a step of odometry, or one of unknown speed.
+// errors are those of matching and its doubt, and a step of odometry, or one of unknown speed.
 PosePrior prior_after(const Pose2& start, const UpdateMotion& motion, const MotionErrors& errors);
 
 // A pose drawn from a Gaussian; errors are (x, y, theta) in the mean's frame.

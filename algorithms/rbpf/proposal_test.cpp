@@ -57,6 +57,16 @@ TEST(PriorAfter, IsAsWideAsBothPartsDrawnOneAfterTheOther) {
   EXPECT_LT((whitened - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 0.07) << whitened;
 }
 
+// What is not known of the end of the condensed motion is not known of the end of the step.
+TEST(PriorAfter, IsWiderByWhatIsNotKnownOfTheCondensedMotion) {
+  UpdateMotion motion{.condensed = kMotion.condensed, .step = Pose2{}};
+  const Eigen::Matrix3d known = prior_after(kStart, motion, kErrors).information.inverse();
+  motion.condensed_doubt = Eigen::Vector3d(0.3 * 0.3, 0.1 * 0.1, 0.05 * 0.05).asDiagonal();
+  const PosePrior prior = prior_after(kStart, motion, kErrors);
+  EXPECT_TRUE((prior.information.inverse() - known).isApprox(*motion.condensed_doubt, 1e-9));
+  EXPECT_THAT(prior.mean, IsNear(kStart * kMotion.condensed, kExact));
+}
+
 TEST(PriorAfter, ARefutedStepMayHaveEndedAnywhereInTheWindow) {
   UpdateMotion motion = kMotion;
   motion.step_contradicted = true;

@@ -25,6 +25,14 @@ bool is_measurement(const LaserScan& scan) {
                      [](double range) { return range > 0.0; });
 }
 
+// [m] of the position, in the worst direction.
+std::optional<double> largest_sigma(const std::optional<MatchInformation>& match) {
+  if (!match) return {};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
+      Eigen::Matrix2d(match->covariance().topLeftCorner<2, 2>()));
+  return std::sqrt(axes.eigenvalues().maxCoeff());
+}
+
 }  // namespace
 
 IncrementalMatcher::IncrementalMatcher(const IncrementalMatcherOptions& options, const Pose2& start)
@@ -155,18 +163,22 @@ ScanMatch IncrementalMatcher::best_of(const Hits& hits, const ScanMatch& by_step
   return best;
 }
 
-// [m] of the position of the newest match by the scan alone, in the worst direction; none where
-// odometry knows better.
-std::optional<double> IncrementalMatcher::sigma_of(const LaserScan& scan) const {
+// Of the newest match by the scan alone.
+std::optional<MatchInformation> IncrementalMatcher::information_by(const LaserScan& scan) const {
   const bool blind = !odometry_at(scan.time) || !odometry_at_last_scan_;
-  if (!blind || !last_match_.trustworthy) return {};
+  if (!blind || !last_match_.trustworthy || !is_measurement(scan)) return {};
   const Pose2& pose = last_match_.map_from_robot;
   const FieldPoints points = known_points(hits_of(scan, {}), pose).climbed;
-  const Eigen::Matrix3d covariance =
-      match_covariance(pose, points, local_scans_.field(), {.mean = pose});
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
-      Eigen::Matrix2d(covariance.topLeftCorner<2, 2>()));
-  return std::sqrt(axes.eigenvalues().maxCoeff());
+  return match_information(pose, points, local_scans_.field());
+}
+
+std::optional<Eigen::Matrix3d> IncrementalMatcher::blind_spread(int scans, double seconds) const {
+  CHECK(scans > 0);
+  if (!blind_information_) return {};
+  const PosePrior from_scan_to_scan = predict_blindly({}, {}, seconds / scans, options_.motion);
+  const Eigen::Matrix3d known =
+      blind_information_->information() + from_scan_to_scan.information / scans;
+  return Eigen::Matrix3d(known.inverse());
 }
 
 void IncrementalMatcher::add_scan(const LaserScan& scan, std::span<const float> beam_weights) {
@@ -176,8 +188,10 @@ void IncrementalMatcher::add_scan(const LaserScan& scan, std::span<const float> 
     learn_spread(scan.time);
     map_from_robot_ = last_match_.map_from_robot;
     if (!last_match_.trustworthy) ++untrusted_scans_;
+    blind_information_ = information_by(scan);
     if (is_measurement(scan)) {
-      diagnostics_.scan(scan.time, last_match_, last_match_.points_used > 0, sigma_of(scan));
+      diagnostics_.scan(scan.time, last_match_, last_match_.points_used > 0,
+                        largest_sigma(blind_information_));
     }
   }
   odometry_at_last_scan_ = odometry_at(scan.time);

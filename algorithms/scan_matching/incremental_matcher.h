@@ -10,6 +10,7 @@
 #include "algorithms/scan/level_lasers.h"
 #include "algorithms/scan_matching/incremental_matcher_options.h"
 #include "algorithms/scan_matching/local_scans.h"
+#include "algorithms/scan_matching/match_covariance.h"
 #include "algorithms/scan_matching/matching_diagnostics.h"
 #include "algorithms/scan_matching/scan_matcher.h"
 
@@ -46,6 +47,11 @@ class IncrementalMatcher : public Estimator {
 
   // Of the newest scan; its pose is pose().
   const ScanMatch& last_match() const { return last_match_; }
+  // What is not known of a motion to the newest scan, over so many scans and seconds, where
+  // odometry does not help: where that scan says nothing, as along a bare corridor, the robot went
+  // on much as before. Of (x, y, theta) in the robot frame; none with odometry, or where nothing
+  // fits.
+  std::optional<Eigen::Matrix3d> blind_spread(int scans, double seconds) const;
 
  private:
   struct Prediction {
@@ -72,7 +78,7 @@ class IncrementalMatcher : public Estimator {
     FieldPoints searched() const;
   };
   Hits hits_of(const LaserScan& scan, std::span<const float> beam_weights) const;
-  std::optional<double> sigma_of(const LaserScan& scan) const;
+  std::optional<MatchInformation> information_by(const LaserScan& scan) const;
   void add_scan(const LaserScan& scan, std::span<const float> beam_weights);
   std::optional<Pose2> odometry_at(double time) const;
   Prediction predicted(double time) const;
@@ -95,6 +101,7 @@ class IncrementalMatcher : public Estimator {
   OdometryTrack odometry_;
   Pose2 map_from_robot_;
   ScanMatch last_match_;
+  std::optional<MatchInformation> blind_information_;
   Trajectory trajectory_;
   int untrusted_scans_ = 0;
   MatchingDiagnostics diagnostics_;

@@ -77,6 +77,24 @@ TEST(IncrementalMatcher, TellsThatItDoesNotKnowTheWayAlongABareCorridor) {
   EXPECT_FALSE(told(with_posts));
 }
 
+// Along it, no more is known than that the robot went on: ten scans of 0.1 s, each with its own
+// change of speed. Across, scans tell.
+TEST(IncrementalMatcher, KnowsLittleOfAMotionAlongABareCorridor) {
+  const RecordedLog log = drive_through(corridor(60.0), {{-4, 0}, {4, 0}}, {}, Rng(7));
+  const auto at_the_end = [&](const IncrementalMatcherOptions& options) {
+    IncrementalMatcher matcher(options);
+    for (const Measurement& measurement : log.measurements) matcher.add(measurement);
+    return matcher.blind_spread(10, 1.0);
+  };
+  const std::optional<Eigen::Matrix3d> spread = at_the_end({.use_odometry = false});
+  ASSERT_TRUE(spread);
+  const MotionPriorOptions motion;
+  const double by_time = std::sqrt(10.0) * (motion.position_sigma + motion.speed_sigma * 0.1);
+  EXPECT_NEAR(std::sqrt((*spread)(0, 0)), by_time, 0.2 * by_time);
+  EXPECT_LT(std::sqrt((*spread)(1, 1)), 0.02);
+  EXPECT_FALSE(at_the_end({.use_odometry = true}));
+}
+
 // Odometry stands still for a second while the robot turns by 90 degrees in a room that looks alike
 // from there, and then tells the whole turn at once.
 TEST(IncrementalMatcher, IsNotTurnedTwiceByOdometryThatStandsStillAndCatchesUp) {

@@ -13,8 +13,8 @@ namespace {
 
 // H: minus the change of the slope with the pose, symmetric, without directions in which the
 // likelihood is hollow.
-Eigen::Matrix3d information_of(const FieldPoints& points, const LikelihoodField& map,
-                               const Pose2& optimum, const MatchCovarianceOptions& options) {
+Eigen::Matrix3d curvature_of(const FieldPoints& points, const LikelihoodField& map,
+                             const Pose2& optimum, const MatchCovarianceOptions& options) {
   const double step = options.probe_step, turn = step * options.turn_per_meter;
   const std::array<Pose2, 3> probes = {Pose2{step, 0, 0}, Pose2{0, step, 0}, Pose2{0, 0, turn}};
   const std::array<double, 3> sizes = {step, step, turn};
@@ -46,17 +46,35 @@ Eigen::Matrix3d scatter_of(const FieldPoints& points, const LikelihoodField& map
 
 }  // namespace
 
+Eigen::Matrix3d MatchInformation::covariance(const Eigen::Matrix3d& of_prediction) const {
+  // Where nothing is known, neither by the map nor by the prediction: 1 km, 1000 rad.
+  const Eigen::Matrix3d known = of_prediction + 1e-6 * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d inverse = (curvature + known).inverse();
+  return inverse * (scatter + known) * inverse;
+}
+
+Eigen::Matrix3d MatchInformation::information() const {
+  // Few groups of points may all pull one way: S is at least a small part of what it is in the mean
+  // where the model is right, H.
+  constexpr double kLeastScatter = 1e-3;
+  const Eigen::Matrix3d scattered =
+      scatter + kLeastScatter * curvature + 1e-6 * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d product = curvature * scattered.ldlt().solve(curvature);
+  return 0.5 * (product + product.transpose());
+}
+
+MatchInformation match_information(const Pose2& optimum, const FieldPoints& points,
+                                   const LikelihoodField& map,
+                                   const MatchCovarianceOptions& options) {
+  CHECK(options.probe_step > 0.0 && options.turn_per_meter > 0.0 && options.beams_together > 0);
+  return {curvature_of(points, map, optimum, options),
+          scatter_of(points, map, optimum, static_cast<std::size_t>(options.beams_together))};
+}
+
 Eigen::Matrix3d match_covariance(const Pose2& optimum, const FieldPoints& points,
                                  const LikelihoodField& map, const PosePrior& prediction,
                                  const MatchCovarianceOptions& options) {
-  CHECK(options.probe_step > 0.0 && options.turn_per_meter > 0.0 && options.beams_together > 0);
-  // Where nothing is known, neither by the map nor by the prediction: 1 km, 1000 rad.
-  const Eigen::Matrix3d known = prediction.information + 1e-6 * Eigen::Matrix3d::Identity();
-  const Eigen::Matrix3d h = information_of(points, map, optimum, options);
-  const Eigen::Matrix3d s =
-      scatter_of(points, map, optimum, static_cast<std::size_t>(options.beams_together));
-  const Eigen::Matrix3d inverse = (h + known).inverse();
-  return inverse * (s + known) * inverse;
+  return match_information(optimum, points, map, options).covariance(prediction.information);
 }
 
 }  // namespace mapbed

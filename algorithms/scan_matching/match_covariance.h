@@ -24,6 +24,23 @@ void visit_fields(MatchCovarianceOptions& o, Visitor&& visit) {
         "neighbouring points of a scan whose errors are alike");
 }
 
+// What a match knows: by how much the slope of ln p(z | x, m) at its optimum x changes with the
+// pose, and the scatter of what the scan's points pull with, both of (x, y, theta) in the frame of
+// x.
+struct MatchInformation {
+  Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();  // H
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();    // S
+
+  // Of the optimum of ln p(z | x, m) + ln p(x), P being the information of the prediction p(x).
+  Eigen::Matrix3d covariance(const Eigen::Matrix3d& of_prediction = Eigen::Matrix3d::Zero()) const;
+  // H S^-1 H, of the scan alone: 0 in directions in which it says nothing.
+  Eigen::Matrix3d information() const;
+};
+
+MatchInformation match_information(const Pose2& optimum, const FieldPoints& points,
+                                   const LikelihoodField& map,
+                                   const MatchCovarianceOptions& options = {});
+
 // How far the optimum of ln p(z | x, m) + ln p(x) may lie from the true pose: the covariance of
 // (x, y, theta) in the frame of `optimum`, as that of an estimator by slopes (Huber's sandwich),
 //

@@ -106,6 +106,30 @@ TEST(MatchCovariance, IsThatOfThePredictionWhereTheMapSaysNothing) {
   EXPECT_TRUE(nothing_seen.isApprox(prediction.information.inverse(), 1e-3));
 }
 
+// A corridor's scan promises nothing along it, and across as much as its covariance is small.
+TEST(MatchInformation, IsThatOfTheScanAlone) {
+  const TestRoom room = corridor(60.0);
+  Rng rng(5);
+  const LikelihoodField field = field_about(room, {}, {}, rng);
+  const LaserScan scan = with_range_noise(scan_of(room, {}), kRangeSigma, rng);
+  const FieldPoints points = to_field_points(hit_points(scan, {}), field.resolution());
+  const Pose2 match =
+      match_scan(points, field, independent_prior({}, 0.05, 0.05, 0.03)).map_from_robot;
+
+  const MatchInformation found = match_information(match, points, field);
+
+  const Eigen::Matrix3d information = found.information();
+  EXPECT_LT(information(0, 0), 1.0 / (0.3 * 0.3));
+  EXPECT_GT(information(1, 1), 1.0 / (0.01 * 0.01));
+  // Where a scan says all, both are the same.
+  const LikelihoodField of_room = field_about(rectangular_room(6.0, 4.0), {}, {}, rng);
+  const LaserScan seen =
+      with_range_noise(scan_of(rectangular_room(6.0, 4.0), {}), kRangeSigma, rng);
+  const MatchInformation whole =
+      match_information({}, to_field_points(hit_points(seen, {}), of_room.resolution()), of_room);
+  EXPECT_TRUE(whole.information().inverse().isApprox(whole.covariance(), 0.05));
+}
+
 // Ten points at one place before a wall, 2 cm off: their slopes are all the same, so the scatter of
 // ten that err together is ten times that of ten that err each by itself.
 TEST(MatchCovariance, NeighbouringBeamsErrTogether) {

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Dense>
+
 #include "algorithms/scan/beam_weights.h"
 #include "core/check.h"
 #include "core/geometry/angle.h"
 
 namespace mapbed {
-
 NodeChain::NodeChain(const NodeChainOptions& options)
     : options_(options), matcher_(options.matcher) {}
 
@@ -26,6 +27,7 @@ std::optional<NodeChain::NewSubmap> NodeChain::add(const Measurement& measuremen
     if (!match.trustworthy && match.points_used > 0) known_ = std::max(known_, Known::by_odometry);
     if (match.contradicts_prediction) known_ = Known::poorly;
   }
+  ++scans_since_node_;
   const bool due = is_due(track_from_robot);
   if (due) add_node(scan, beam_weights);
   scans_.push_back({scan.time, track_from_robot, track_from_nodes_.size(), due});
@@ -54,9 +56,10 @@ void NodeChain::add_node(const LaserScan& scan, std::span<const float> beam_weig
     steps_.push_back({.from = node - 1,
                       .to = node,
                       .from_from_to = motion,
-                      .information = step_to(motion).information});
+                      .information = step_to(motion, scan.time - node_times_.back()).information});
   }
   known_ = Known::by_scans;
+  scans_since_node_ = 0;
   track_from_nodes_.push_back(track_from_robot);
   node_times_.push_back(scan.time);
   node_scans_.push_back(
@@ -64,9 +67,16 @@ void NodeChain::add_node(const LaserScan& scan, std::span<const float> beam_weig
   extents_.emplace_back(scan, options_.submaps.max_range, BeamLimits{}.no_return_range);
 }
 
-// The motion to a new node from the one before, as a belief.
-PosePrior NodeChain::step_to(const Pose2& motion) const {
-  if (known_ == Known::by_scans) return gaussian_after({}, motion, options_.matching_errors);
+// The motion to a new node from the one before, as a belief. Without odometry a scan may say
+// nothing of how far the robot went along a bare corridor: then only that it went on as before.
+PosePrior NodeChain::step_to(const Pose2& motion, double seconds) const {
+  if (known_ == Known::by_scans) {
+    PosePrior step = gaussian_after({}, motion, options_.matching_errors);
+    if (const auto unknown = matcher_.blind_spread(scans_since_node_, seconds)) {
+      step.information = (step.information.inverse() + *unknown).inverse();
+    }
+    return step;
+  }
   if (known_ == Known::by_odometry) return gaussian_after({}, motion, options_.odometry_errors);
   // Found without regard to odometry, within this window.
   const CorrelativeMatcherOptions& search = options_.matcher.wide_search;

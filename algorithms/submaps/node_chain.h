@@ -83,7 +83,7 @@ class NodeChain {
   enum class Known { by_scans, by_odometry, poorly };
   bool is_due(const Pose2& track_from_robot) const;
   void add_node(const LaserScan& scan, std::span<const float> beam_weights);
-  PosePrior step_to(const Pose2& motion) const;
+  PosePrior step_to(const Pose2& motion, double seconds) const;
   Track track() const;
 
   NodeChainOptions options_;
@@ -96,6 +96,7 @@ class NodeChain {
   std::vector<KeptHits> hits_;       // for refinement, of each scan but those of nodes
   std::vector<ScanExtent> extents_;  // of the local map that is being made
   Known known_ = Known::by_scans;
+  int scans_since_node_ = 0;
   std::vector<PoseConstraint<Pose2>> steps_;
 };
 
