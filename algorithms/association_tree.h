@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/geometry/trajectory.h"
 #include "core/time_interval.h"
 
 namespace mapbed {
@@ -18,6 +19,7 @@ struct AssociationTree {
     // Of all that was seen up to this local map under the decisions up to here, up to a constant.
     double log_likelihood = 0.0;
     bool expanded = false;  // decisions about the next local map were looked at under this one
+    double newest = 0.0;    // of log_likelihood, what this local map saw
   };
   // The most likely leaf after each local map.
   struct Choice {
@@ -34,6 +36,7 @@ struct AssociationTree {
     int changed = 0;                    // decisions
     std::size_t before = 0, after = 0;  // leaves
     double log_likelihood_before = 0.0, log_likelihood_after = 0.0;  // with this local map
+    Trajectory path_before, path_after;  // map_from_robot under both, up to this local map
   };
   std::vector<Node> nodes;
   std::vector<TimeInterval> local_maps;  // [s] when each was made

@@ -8,8 +8,7 @@ namespace mapbed {
 
 void LazySearch::start(const Outcome& first) {
   CHECK(tree_.nodes.empty());
-  tree_.nodes.push_back({.log_likelihood = first.log_likelihood});
-  newest_.push_back(first.newest);
+  tree_.nodes.push_back({.log_likelihood = first.log_likelihood, .newest = first.newest});
   frontier_.push_back(0);
   most_.push_back({});
 }
@@ -36,8 +35,8 @@ void LazySearch::expand_node(std::size_t node, const Expand& expand) {
     tree_.nodes.push_back({.parent = static_cast<int>(node),
                            .local_map = local_map,
                            .associated = outcome.associated,
-                           .log_likelihood = outcome.log_likelihood});
-    newest_.push_back(outcome.newest);
+                           .log_likelihood = outcome.log_likelihood,
+                           .newest = outcome.newest});
   }
   tree_.nodes[node].expanded = true;
   std::erase(frontier_, node);
@@ -85,7 +84,7 @@ void LazySearch::advance(double time, const Expand& expand, const Most& most) {
     });
   }
   tree_.chosen = best;
-  tree_.choices.push_back({time, best, tree_.nodes[best].log_likelihood, newest_[best]});
+  tree_.choices.push_back({time, best, tree_.nodes[best].log_likelihood, tree_.nodes[best].newest});
   note_revision(time, before);
   drop_least_likely();
 }

@@ -73,7 +73,6 @@ class LazySearch {
 
   LazySearchOptions options_;
   AssociationTree tree_;
-  std::vector<double> newest_;         // by node
   std::vector<std::size_t> frontier_;  // nodes that were not expanded
   std::vector<Most> most_;             // by local map
 };

@@ -94,6 +94,17 @@ void LazySlam::add_submap(NodeChain::NewSubmap submap) {
       evidence_.of_a_new_place(static_cast<int>(before.size()), poses, options_.loops.search.apart);
   search_.advance(submap.when.to, [this](std::size_t node) { return expanded(node); },
                   {.value = most, .is_bound = false});
+  note_paths();
+}
+
+// Of a revision that the newest local map brought, if any.
+void LazySlam::note_paths() {
+  const auto& revisions = search_.tree().revisions;
+  if (revised_.size() == revisions.size()) return;
+  const auto path_of = [&](std::size_t node) {
+    return chain_.trajectory(nodes_of(hypotheses_[node].poses));
+  };
+  revised_.push_back({path_of(revisions.back().before), path_of(revisions.back().after)});
 }
 
 // The local maps up to `query` under the decisions up to a node, with their poses there.
@@ -278,6 +289,10 @@ Estimate LazySlam::estimate() const {
   if (search_.empty()) return result;
   AssociationTree tree = search_.tree();
   tree.local_maps = when_;
+  for (std::size_t i = 0; i < revised_.size(); ++i) {
+    tree.revisions[i].path_before = revised_[i].before;
+    tree.revisions[i].path_after = revised_[i].after;
+  }
   const std::vector<std::size_t> path = search_.path_to(tree.chosen);
   const auto loops = std::count_if(
       path.begin(), path.end(), [&](std::size_t node) { return tree.nodes[node].associated >= 0; });

@@ -63,6 +63,7 @@ class LazySlam : public Estimator {
   void add_submap(NodeChain::NewSubmap submap);
   std::vector<LazySearch::Outcome> expanded(std::size_t node);
   void judge(Hypothesis& hypothesis);
+  void note_paths();
   PoseGraph<Pose2> graph_of(std::size_t node, int query) const;
   std::vector<LoopMatch> matches_of(const std::vector<LoopCandidate>& candidates, int query);
   std::optional<SubmapMatch> searched(const LoopCandidate& candidate, int query);
@@ -80,6 +81,10 @@ class LazySlam : public Estimator {
   SubmapEvidence evidence_;
   LazySearch search_;
   std::vector<Hypothesis> hypotheses_;  // by node of the tree
+  struct Paths {
+    Trajectory before, after;
+  };
+  std::vector<Paths> revised_;  // by revision
   std::optional<PoseGraph<Pose2>> finished_;
   int refused_ = 0;  // constraints that the graph did not believe in the end
 };

@@ -13,6 +13,7 @@
 #include "algorithms/grid/wall_map.h"
 #include "algorithms/pose_graph/graph_file.h"
 #include "bench/figures/association_figure.h"
+#include "bench/figures/revision_figures.h"
 #include "bench/plot/map_picture.h"
 #include "bench/process/foreign_files.h"
 #include "bench/process/process_cost.h"
@@ -39,6 +40,7 @@ constexpr const char* kCleaned = "cleaned.log.gz";
 constexpr const char* kGraph = "graph.g2o";
 constexpr const char* kAssociations = "associations.json";
 constexpr const char* kAssociationFigure = "associations.svg";
+constexpr const char* kLikelihoodFigure = "likelihood.svg";
 constexpr const char* kKept = "program/";  // folder of what a program was to keep
 
 int count_scans(const SensorLog& log) {
@@ -80,6 +82,10 @@ std::vector<std::string> products_of(const MapRun& run) {
   if (run.estimate.associations) {
     names.push_back(kAssociations);
     names.push_back(kAssociationFigure);
+    names.push_back(kLikelihoodFigure);
+    if (largest_revision(*run.estimate.associations)) {
+      for (const char* name : kRevisionMaps) names.emplace_back(name);
+    }
   }
   return names;
 }
@@ -211,6 +217,10 @@ void write_products(const MapRun& run, const RecordedLog& log, Publication& comi
     const AssociationTree& tree = *run.estimate.associations;
     write_file(coming.add(kAssociations), associations_json(tree));
     write_file(coming.add(kAssociationFigure), svg_of(association_plot(tree)));
+    write_file(coming.add(kLikelihoodFigure), svg_of(likelihood_plot(tree)));
+    for (auto& [name, png] : revision_maps(tree, log.measurements, run.config.map)) {
+      write_file(coming.add(name), png);
+    }
   }
 }
 

@@ -12,6 +12,7 @@
 #include "bench/experiments/slam_series.h"
 #include "bench/figures/association_figure.h"
 #include "bench/figures/people_figures.h"
+#include "bench/figures/revision_figures.h"
 #include "bench/methods/method_run.h"
 #include "bench/methods/people_filter.h"
 #include "bench/plot/map_picture.h"
@@ -94,8 +95,8 @@ void add_map_server_files(const RunInput& input, const MapOptions& options, cons
 }
 
 // Of methods that have them, in the frame of the path beside it.
-void add_graph_files(const RunInput& input, const SlamEvaluator& evaluator,
-                     std::vector<ResultFile>& files) {
+void add_graph_files(const RunInput& input, const MapOptions& options,
+                     const SlamEvaluator& evaluator, std::vector<ResultFile>& files) {
   const Estimate& estimate = evaluator.estimate();
   if (estimate.graph) {
     PoseGraph<Pose2> graph = *estimate.graph;
@@ -107,6 +108,12 @@ void add_graph_files(const RunInput& input, const SlamEvaluator& evaluator,
     files.push_back({"graphs/associations.json", associations_json(*estimate.associations)});
     files.push_back({"figures/associations.svg", svg_of(plot)});
     files.push_back({"figures/associations.csv", csv_of(plot)});
+    const Plot likelihood = likelihood_plot(*estimate.associations, input.label);
+    files.push_back({"figures/likelihood.svg", svg_of(likelihood)});
+    files.push_back({"figures/likelihood.csv", csv_of(likelihood)});
+    for (auto& [name, png] : revision_maps(*estimate.associations, input.log, options)) {
+      files.push_back({"maps/" + name, std::move(png)});
+    }
   }
 }
 
@@ -221,7 +228,7 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
     }
     const Trajectory& path = evaluator.world_from_robot();
     outcome.files.push_back({"trajectories/estimate.tum", tum_text(path)});
-    add_graph_files(input, evaluator, outcome.files);
+    add_graph_files(input, setup.options.evaluation.map, evaluator, outcome.files);
     if (input.alone) {
       add_map_server_files(input, setup.options.evaluation.map, path, outcome.files);
     }

@@ -21,11 +21,9 @@ using Tree = AssociationTree;
 constexpr double kImpossible = -std::numeric_limits<double>::infinity();
 
 Json json_of(const Tree::Node& node) {
-  return {{"parent", node.parent},
-          {"local_map", node.local_map},
-          {"associated", node.associated},
-          {"log_likelihood", node.log_likelihood},
-          {"expanded", node.expanded}};
+  return {{"parent", node.parent},         {"local_map", node.local_map},
+          {"associated", node.associated}, {"log_likelihood", node.log_likelihood},
+          {"expanded", node.expanded},     {"newest", node.newest}};
 }
 
 Json json_of(const Tree::Choice& choice) {
@@ -176,7 +174,8 @@ class Reader {
                              .local_map = about,
                              .associated = m.integer("associated", -1, about),
                              .log_likelihood = m.log_likelihood("log_likelihood"),
-                             .expanded = m.truth("expanded")});
+                             .expanded = m.truth("expanded"),
+                             .newest = m.log_likelihood("newest")});
     });
   }
 

@@ -11,7 +11,8 @@
 //
 //   {"local_maps": [[from, to], ...],                           [s] stamps of the log
 //    "nodes": [{"parent": 3, "local_map": 7, "associated": 2,   -1: none (the root; a new place)
-//               "log_likelihood": -812.5, "expanded": true}, ...],
+//               "log_likelihood": -812.5, "expanded": true,
+//               "newest": -20.5}, ...],
 //    "chosen": 41,                                              number of a node, a leaf
 //    "choices": [{"time": 12.5, "node": 9, "log_likelihood": -390.1, "newest": -41.7}, ...],
 //    "revisions": [{"time": 80.2, "at": 17, "since": 12, "changed": 2, "before": 60, "after": 63,
@@ -19,8 +20,8 @@
 //                   "decisions": [{"local_map": 12, "before": -1, "after": 1}, ...]}, ...],
 //    "given_up": 0}
 //
-// as AssociationTree has it. A likelihood of zero has null for its logarithm. The `decisions` of a
-// revision follow from the nodes: readers here leave them out.
+// as AssociationTree has it, but for the paths of revisions. A likelihood of zero has null for its
+// logarithm. The `decisions` of a revision follow from the nodes: readers here leave them out.
 
 namespace mapbed {
 
