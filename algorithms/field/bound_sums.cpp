@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <numeric>
+#include <utility>
 
 namespace mapbed {
 namespace {
@@ -10,66 +12,127 @@ namespace {
 constexpr int kColumns = 4;  // of blocks that are read at a time
 constexpr int kRows = 4;     // whose sums are held in registers
 constexpr int kLargest = 255;
+constexpr std::size_t kTogether = 256;  // so many bytes have a sum that two bytes hold
+
+constexpr bool kLittle = std::endian::native == std::endian::little;
 
 using FourInts = int __attribute__((vector_size(16)));
-using FourShorts = std::uint16_t __attribute__((vector_size(8)));
-using FourBytes = std::uint8_t __attribute__((vector_size(4)));
+using EightShorts = std::uint16_t __attribute__((vector_size(16)));
+using TwoLongs = std::int64_t __attribute__((vector_size(16)));
+using Bytes = std::uint8_t __attribute__((vector_size(16)));
 
-template <class Vector>
-Vector read(const std::uint8_t* from) {
-  Vector result;
-  std::memcpy(&result, from, sizeof(result));
-  return result;
+// As the first bytes of a vector; those behind are 0.
+template <class Word>
+Bytes read(const std::uint8_t* from) {
+  Word word;
+  std::memcpy(&word, from, sizeof(word));
+  if constexpr (sizeof(Word) == 16) return word;
+  if constexpr (sizeof(Word) == 8) return std::bit_cast<Bytes>(TwoLongs{word, 0});
+  if constexpr (sizeof(Word) == 4) return std::bit_cast<Bytes>(FourInts{word, 0, 0, 0});
 }
 
-// Every `stride`-th of the bytes from here on; reads up to BoundPyramid::kReadBeyond further.
-FourInts four_of(const std::uint8_t* from, int stride) {
-  if constexpr (std::endian::native != std::endian::little) {
-    return FourInts{from[0], from[stride], from[2 * stride], from[3 * stride]};
+// Every `stride`-th of the bytes from here on, the first four of them as widened() takes them;
+// reads up to BoundPyramid::kReadBeyond further.
+template <int stride>
+EightShorts four_of(const std::uint8_t* from) {
+  if constexpr (!kLittle) {
+    return EightShorts{from[0], from[stride], from[2 * stride], from[3 * stride], 0, 0, 0, 0};
+  } else if constexpr (stride == 4) {
+    return std::bit_cast<EightShorts>(std::bit_cast<FourInts>(read<Bytes>(from)) & kLargest);
+  } else if constexpr (stride == 2) {
+    return std::bit_cast<EightShorts>(read<std::int64_t>(from)) & std::uint16_t{kLargest};
+  } else {
+    return std::bit_cast<EightShorts>(__builtin_shufflevector(
+        read<std::int32_t>(from), Bytes{}, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23));
   }
-  if (stride == 4) return read<FourInts>(from) & kLargest;
-  if (stride == 2) {
-    return __builtin_convertvector(read<FourShorts>(from) & std::uint16_t{kLargest}, FourInts);
-  }
-  return __builtin_convertvector(read<FourBytes>(from), FourInts);
 }
+
+template <int stride>
+FourInts widened(EightShorts sums) {
+  if constexpr (kLittle && stride == 4) return std::bit_cast<FourInts>(sums);
+  return FourInts{sums[0], sums[1], sums[2], sums[3]};
+}
+
+// Points that are looked up in one level.
+struct Run {
+  const int *x, *y;
+  std::size_t count;
+};
 
 // A level of the pyramid as it is read for up to kColumns x kRows blocks.
 struct Reading {
-  Reading(const BoundPyramid::Level& bounds, const BlockGrid& blocks)
-      : level(&bounds),
-        x(blocks.x),
-        y(blocks.y),
-        stride((1 << blocks.level) >> bounds.thinning),
-        columns(bounds.width - (blocks.columns - 1) * stride),
-        rows(bounds.height - (blocks.rows - 1) * stride) {}
+  Reading(const BoundPyramid::Level& bounds, const BlockGrid& grid)
+      : level(bounds),
+        blocks(grid),
+        stride((1 << grid.level) >> bounds.thinning),
+        columns(static_cast<unsigned>(std::max(0, bounds.width - (grid.columns - 1) * stride))),
+        rows(static_cast<unsigned>(std::max(0, bounds.height - (grid.rows - 1) * stride))) {}
 
-  const BoundPyramid::Level* level;
-  int x, y;           // of the first block
-  int stride;         // [entries] from block to block; 0: less than one
-  int columns, rows;  // [entries] in which the first block may lie, so that none lies outside
+  const BoundPyramid::Level& level;
+  const BlockGrid& blocks;
+  int stride;              // [entries] from block to block; 0: less than one
+  unsigned columns, rows;  // [entries] in which the first block may lie, so that none lies outside
 };
 
+// Of a point some of whose blocks may lie outside: block by block.
 template <int rows>
-void add_point(const Reading& reading, int x, int y, const BlockGrid& blocks, FourInts* sums) {
-  const BoundPyramid::Level& level = *reading.level;
-  const int column = ((x + reading.x) >> level.thinning) - level.min_x;
-  const int row = ((y + reading.y) >> level.thinning) - level.min_y;
-  const bool inside = column >= 0 && row >= 0 && column < reading.columns && row < reading.rows &&
-                      reading.stride > 0;
-  if (inside) {
-    const std::uint8_t* from = level.bounds.data() + std::ptrdiff_t{row} * level.width + column;
-    const std::ptrdiff_t next_row = std::ptrdiff_t{reading.stride} * level.width;
-    for (int r = 0; r < rows; ++r, from += next_row) sums[r] += four_of(from, reading.stride);
-    return;
-  }
+__attribute__((noinline)) void add_across_border(const Reading& reading, int x, int y,
+                                                 FourInts* sums) {
+  const BlockGrid& blocks = reading.blocks;
+  const int first_x = x + blocks.x, first_y = y + blocks.y;
   for (int r = 0; r < rows; ++r) {
-    std::array<int, kColumns> row_of_them{};
     for (int c = 0; c < blocks.columns; ++c) {
-      row_of_them[static_cast<std::size_t>(c)] =
-          level.at(x + reading.x + (c << blocks.level), y + reading.y + (r << blocks.level));
+      sums[r][c] += reading.level.at(first_x + (c << blocks.level), first_y + (r << blocks.level));
     }
-    sums[r] += FourInts{row_of_them[0], row_of_them[1], row_of_them[2], row_of_them[3]};
+  }
+}
+
+template <int rows, int stride>
+void add_points(const Reading& reading, const Run& run, FourInts* sums) {
+  const BoundPyramid::Level& level = reading.level;
+  const int thinning = level.thinning;
+  const std::ptrdiff_t width = level.width, next_row = stride * width;
+  const std::uint8_t* const bounds = level.bounds.data();
+  const unsigned columns = reading.columns, rows_inside = reading.rows;
+  const int to_column = reading.blocks.x - (level.min_x << thinning);
+  const int to_row = reading.blocks.y - (level.min_y << thinning);
+  const int *const xs = run.x, *const ys = run.y;
+  for (std::size_t first = 0; first < run.count; first += kTogether) {
+    const std::size_t end = std::min(run.count, first + kTogether);
+    std::array<EightShorts, rows> some{};
+    for (std::size_t i = first; i < end; ++i) {
+      const int column = (xs[i] + to_column) >> thinning, row = (ys[i] + to_row) >> thinning;
+      const bool inside =
+          static_cast<unsigned>(column) < columns && static_cast<unsigned>(row) < rows_inside;
+      if (!inside) {
+        add_across_border<rows>(reading, xs[i], ys[i], sums);
+        continue;
+      }
+      const std::uint8_t* from = bounds + row * width + column;
+      for (EightShorts& sum : some) {
+        sum += four_of<stride>(from);
+        from += next_row;
+      }
+    }
+    for (std::size_t r = 0; r < rows; ++r) sums[r] += widened<stride>(some[r]);
+  }
+}
+
+template <int rows>
+void add_run(const BoundPyramid::Level& level, const BlockGrid& blocks, const Run& run,
+             FourInts* sums) {
+  const Reading reading(level, blocks);
+  switch (reading.stride) {
+    case 4:
+      return add_points<rows, 4>(reading, run, sums);
+    case 2:
+      return add_points<rows, 2>(reading, run, sums);
+    case 1:
+      return add_points<rows, 1>(reading, run, sums);
+    default:
+      for (std::size_t i = 0; i < run.count; ++i) {
+        add_across_border<rows>(reading, run.x[i], run.y[i], sums);
+      }
   }
 }
 
@@ -78,20 +141,20 @@ template <int rows>
 void sum_tile(const BoundPyramid& pyramid, const PointsInCells& points, const BlockGrid& blocks,
               int* sums, int stride) {
   std::array<FourInts, rows> tile{};
+  const auto run_of = [&](std::size_t first, std::size_t end) {
+    return Run{points.x.data() + first, points.y.data() + first, end - first};
+  };
   if (points.level.empty()) {
-    const Reading reading(pyramid.levels[static_cast<std::size_t>(blocks.level)], blocks);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      add_point<rows>(reading, points.x[i], points.y[i], blocks, tile.data());
-    }
-  } else {
-    std::vector<Reading> readings;
-    for (const BoundPyramid::Level& level : pyramid.levels) readings.emplace_back(level, blocks);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (points.level[i] == PointsInCells::kUnbounded) {
-        for (FourInts& row : tile) row += kLargest;
-      } else {
-        add_point<rows>(readings[points.level[i]], points.x[i], points.y[i], blocks, tile.data());
-      }
+    add_run<rows>(pyramid.levels[static_cast<std::size_t>(blocks.level)], blocks,
+                  run_of(0, points.size()), tile.data());
+  }
+  for (std::size_t first = 0, end = 0; first < points.level.size(); first = end) {
+    const std::uint8_t level = points.level[first];
+    while (end < points.level.size() && points.level[end] == level) ++end;
+    if (level == PointsInCells::kUnbounded) {
+      for (FourInts& row : tile) row += kLargest * static_cast<int>(end - first);
+    } else {
+      add_run<rows>(pyramid.levels[level], blocks, run_of(first, end), tile.data());
     }
   }
   for (int r = 0; r < rows; ++r) {
@@ -101,6 +164,20 @@ void sum_tile(const BoundPyramid& pyramid, const PointsInCells& points, const Bl
 }
 
 }  // namespace
+
+void sort_by_level(PointsInCells& points) {
+  std::vector<std::size_t> order(points.level.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return points.level[a] < points.level[b]; });
+  PointsInCells sorted;
+  for (const std::size_t i : order) {
+    sorted.x.push_back(points.x[i]);
+    sorted.y.push_back(points.y[i]);
+    sorted.level.push_back(points.level[i]);
+  }
+  if (!order.empty()) points = std::move(sorted);
+}
 
 void sum_bounds(const BoundPyramid& pyramid, const PointsInCells& points, const BlockGrid& grid,
                 std::vector<int>& sums) {

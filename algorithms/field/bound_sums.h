@@ -26,6 +26,9 @@ struct PointsInCells {
   static constexpr std::uint8_t kUnbounded = 255;  // none covers so much: the largest bound
 };
 
+// Puts those of one level beside each other, which is how sum_bounds() reads them fastest.
+void sort_by_level(PointsInCells& points);
+
 // Of each block, what the points can score together at most, in steps of the pyramid: `sums` row by
 // row. Several blocks are read at a time where they lie beside each other in memory.
 void sum_bounds(const BoundPyramid& pyramid, const PointsInCells& points, const BlockGrid& grid,

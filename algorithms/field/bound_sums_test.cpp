@@ -1,5 +1,8 @@
 #include "algorithms/field/bound_sums.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -75,6 +78,25 @@ TEST_F(BoundSums, TakeEachPointInItsLevel) {
                                                           : PointsInCells::kUnbounded);
     }
     expect_plain_sums(points, {-13, 5, level, 5, 3});
+    const PointsInCells mixed = points;
+    sort_by_level(points);
+    EXPECT_TRUE(std::is_sorted(points.level.begin(), points.level.end()));
+    expect_plain_sums(points, {-13, 5, level, 5, 3});
+    EXPECT_EQ(plain_sum(points, level, 3, 4), plain_sum(mixed, level, 3, 4));
+  }
+}
+
+// More of them than two bytes have room for the sum of, all at the largest bound.
+TEST_F(BoundSums, HoldForMoreThanTwoBytesCount) {
+  PointsInCells points;
+  const LikelihoodField::Surface on = *field_.surface_at({0.0, 0.0});
+  const CellIndex cell{static_cast<int>(std::floor(on.point.x() / field_.resolution())),
+                       static_cast<int>(std::floor(on.point.y() / field_.resolution()))};
+  points.x.assign(1000, cell.x);
+  points.y.assign(1000, cell.y);
+  for (int level = 0; level < static_cast<int>(pyramid_.levels.size()); ++level) {
+    ASSERT_GT(plain_sum(points, level, 0, 0), UINT16_MAX) << level;
+    expect_plain_sums(points, {0, 0, level, 2, 2});
   }
 }
 

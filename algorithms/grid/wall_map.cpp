@@ -16,12 +16,11 @@ namespace {
 constexpr OddsModel kLook{.p_occ = 0.7, .p_free = 0.4};
 constexpr double kSurfaceGap = 0.1;  // [m] between hits; larger ones are filled on straight walls
 
-// How many scans saw a surface in the cell, and how many saw through it; which did so last.
+// How many scans saw a surface in the cell, and how many saw through it; which did either last.
 struct Evidence {
   std::uint16_t surfaces = 0;
   std::uint16_t passes = 0;
-  std::uint32_t last_surface = 0;  // number of the scan, from 1
-  std::uint32_t last_pass = 0;
+  std::uint32_t last = 0;  // number of the scan, from 1
 };
 
 double probability_of(const Evidence& cell) {
@@ -54,11 +53,11 @@ double grazing_length(const LaserScan& scan, std::size_t beam, double cell) {
   return std::isinf(flattest) || flattest < 2.0 ? 0.0 : cell * flattest;
 }
 
-// Counts a scan once.
-void count(std::uint16_t& scans, std::uint32_t& last, std::uint32_t scan) {
-  if (last == scan) return;
-  last = scan;
-  if (scans < UINT16_MAX) ++scans;
+// A scan counts once in a cell: for what it is first seen to be, and surfaces come first.
+void count(Evidence& cell, std::uint16_t Evidence::*seen, std::uint32_t scan) {
+  if (cell.last == scan) return;
+  cell.last = scan;
+  if (cell.*seen < UINT16_MAX) ++(cell.*seen);
 }
 
 class EvidenceMap {
@@ -73,14 +72,13 @@ class EvidenceMap {
     const auto surface =
         surface_points(of_place, limits_.usable_range, kSurfaceGap, 0.5 * cells_.resolution());
     for (const SurfacePoint& point : surface) {
-      Evidence& cell = writer.at(cells_.cell_of(map_from_robot * point.position));
-      count(cell.surfaces, cell.last_surface, number);
+      count(writer.at(cells_.cell_of(map_from_robot * point.position)), &Evidence::surfaces,
+            number);
     }
     for_each_beam(scan, map_from_robot, limits_, [&](std::size_t n, const Beam& beam) {
       if (scan.is_max_range(n)) return;
       const auto pass = [&](CellIndex index) {
-        Evidence& cell = writer.at(index);
-        if (cell.last_surface != number) count(cell.passes, cell.last_pass, number);
+        count(writer.at(index), &Evidence::passes, number);
       };
       const bool ends = beam.hit && of_place.is_hit(n);
       const double grazing = ends ? grazing_length(of_place, n, cells_.resolution()) : 0.0;
@@ -108,8 +106,7 @@ class EvidenceMap {
       traverse(beam.start, beam.end, cells_.frame(), [&](CellIndex index, double) {
         met_surface = met_surface || is_at_surface(index);
         if (met_surface) return;
-        Evidence& cell = writer.at(index);
-        count(cell.passes, cell.last_pass, number);
+        count(writer.at(index), &Evidence::passes, number);
       });
     });
   }

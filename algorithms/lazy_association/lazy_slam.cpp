@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -243,7 +244,7 @@ void LazySlam::finish() {
   if (search_.empty()) return;
   const Hypothesis& chosen = hypotheses_[search_.chosen()];
   PoseGraph<Pose2> graph{.nodes = nodes_of(chosen.poses), .constraints = chain_.steps()};
-  LoopCloser loops(options_.chain.submaps, options_.loops);
+  LoopCloser loops(std::move(fields_), options_.loops);  // nobody asks for fields any more
   for (std::size_t i = 0; i < submaps_.size(); ++i) loops.add(submaps_[i], frames_[i]);
   for (const std::size_t decided : search_.path_to(search_.chosen())) {
     if (const std::optional<LoopMatch>& match = hypotheses_[decided].match) {

@@ -25,8 +25,8 @@ void SubmapEvidence::add(const Submap& submap) {
   for (std::size_t i = 0; i < count; ++i) {
     known.points.push_back(submap.surface[i * submap.surface.size() / count].position);
   }
+  known.robots_from_submap = robots_from(submap);
   for (const Pose2& pose : submap.path) {
-    known.robots_from_submap.push_back(inverse(pose));
     known.radius = std::max(known.radius, pose.position().norm());
   }
   for (const SurfacePoint& point : submap.surface) {
@@ -34,6 +34,7 @@ void SubmapEvidence::add(const Submap& submap) {
   }
   known.submap.surface.clear();
   known_.push_back(std::move(known));
+  compared_.emplace_back();
 }
 
 bool SubmapEvidence::is_on_surface(const Known& known, const Eigen::Vector2d& point) {
@@ -48,8 +49,9 @@ bool SubmapEvidence::is_on_surface(const Known& known, const Eigen::Vector2d& po
 SubmapEvidence::Marks SubmapEvidence::compared(const Known& earlier, const Known& later,
                                                const Pose2& earlier_from_later) {
   Marks marks;
+  const PointMotion to_earlier(earlier_from_later), to_later(inverse(earlier_from_later));
   for (std::size_t i = 0; i < later.points.size(); ++i) {
-    const Eigen::Vector2d point = earlier_from_later * later.points[i];
+    const Eigen::Vector2d point = to_earlier * later.points[i];
     const std::uint64_t bit = std::uint64_t{1} << i;
     if (is_on_surface(earlier, point)) {
       marks.matched |= bit;
@@ -57,9 +59,8 @@ SubmapEvidence::Marks SubmapEvidence::compared(const Known& earlier, const Known
       marks.contradicted |= bit;
     }
   }
-  const Pose2 later_from_earlier = inverse(earlier_from_later);
   for (const Eigen::Vector2d& point_in_earlier : earlier.points) {
-    const Eigen::Vector2d point = later_from_earlier * point_in_earlier;
+    const Eigen::Vector2d point = to_later * point_in_earlier;
     if (!is_on_surface(later, point) &&
         seen_in(later.submap, later.robots_from_submap, point) == Seen::free) {
       ++marks.looked_through;
@@ -70,8 +71,16 @@ SubmapEvidence::Marks SubmapEvidence::compared(const Known& earlier, const Known
 
 const SubmapEvidence::Marks& SubmapEvidence::marks_of(int earlier, int later,
                                                       const Pose2& earlier_from_later) {
-  std::vector<Compared>& before = compared_[{earlier, later}];
+  std::vector<std::vector<Compared>>& of_later = compared_[static_cast<std::size_t>(later)];
+  if (of_later.size() <= static_cast<std::size_t>(earlier)) {
+    of_later.resize(static_cast<std::size_t>(earlier) + 1);
+  }
+  std::vector<Compared>& before = of_later[static_cast<std::size_t>(earlier)];
   for (const Compared& compared : before) {
+    if (std::abs(compared.earlier_from_later.x - earlier_from_later.x) > kSamePlace ||
+        std::abs(compared.earlier_from_later.y - earlier_from_later.y) > kSamePlace) {
+      continue;  // without a root
+    }
     if (distance(compared.earlier_from_later, earlier_from_later) <= kSamePlace &&
         std::abs(angle_difference(compared.earlier_from_later.theta, earlier_from_later.theta)) <=
             kSameTurn) {

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <utility>
 #include <vector>
 
 #include "algorithms/field/surface_map.h"
@@ -58,7 +56,7 @@ class SubmapEvidence {
     Submap submap;
     SurfaceMap surfaces{kCell};
     std::vector<Eigen::Vector2d> points;
-    std::vector<Pose2> robots_from_submap;
+    std::vector<PointMotion> robots_from_submap;
     double radius = 0.0;  // [m] about its frame
   };
   struct Compared {
@@ -74,7 +72,8 @@ class SubmapEvidence {
 
   SubmapEvidenceOptions options_;
   std::vector<Known> known_;
-  std::map<std::pair<int, int>, std::vector<Compared>> compared_;  // the last few of each pair
+  // The last few of each pair: by the later one, by the earlier one.
+  std::vector<std::vector<std::vector<Compared>>> compared_;
 };
 
 }  // namespace mapbed

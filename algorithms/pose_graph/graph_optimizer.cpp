@@ -6,6 +6,7 @@
 
 #include "algorithms/pose_graph/constraint_error.h"
 #include "algorithms/pose_graph/graduated_weights.h"
+#include "algorithms/pose_graph/initial_poses.h"
 #include "algorithms/pose_graph/normal_equations.h"
 #include "algorithms/pose_graph/position_equations.h"
 #include "algorithms/pose_graph/step_control.h"
@@ -159,6 +160,7 @@ class WeighedGraph {
       if (counts_[i]) losses.fixed_weights.push_back(weights[i]);
     }
     Position<Pose> position = position_at(graph_, std::move(nodes), losses);
+    if (!kSolvesPositions<Pose>) leave_for_chordal(losses, position);
     const Descent descent =
         mapbed::descend(graph_, losses, options, max_iterations, *equations_, position);
     nodes = std::move(position.nodes);
@@ -166,6 +168,18 @@ class WeighedGraph {
   }
 
  private:
+  // Graduated non-convexity asks for the global minimum at given weights. Where false loop closures
+  // have turned poses in space over, no descent leads back: chordal poses at these weights, where
+  // they cost less.
+  void leave_for_chordal(const Losses& losses, Position<Pose>& position) const {
+    PoseGraph<Pose> weighed = graph_;
+    for (std::size_t i = 0; i < weighed.constraints.size(); ++i) {
+      weighed.constraints[i].information *= losses.fixed_weights[i];
+    }
+    Position<Pose> chordal = position_at(graph_, chordal_poses(weighed), losses);
+    if (chordal.cost < position.cost) position = std::move(chordal);
+  }
+
   void select(const PoseGraph<Pose>& graph, std::vector<bool> counts) {
     counts_ = std::move(counts);
     graph_ = {.nodes = graph.nodes, .held = graph.held};

@@ -1,9 +1,13 @@
+#include <algorithm>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "algorithms/scan/hit_points.h"
 #include "algorithms/scan/surface_points.h"
 #include "algorithms/scan_matching/correlative_matcher.h"
+#include "algorithms/scan_matching/search_lattice.h"
 #include "core/geometry/angle.h"
 #include "core/testing/is_near.h"
 #include "core/testing/test_room.h"
@@ -54,6 +58,37 @@ TEST_F(SearchWithinLimits, FindsTheNextPlaceAwayFromTheBest) {
       found({.away_from = kTruth, .distance = 0.4, .turn = 0.35});
   ASSERT_TRUE(other);
   EXPECT_THAT(other->map_from_robot, IsNear(kTwin, kLatticeStep));
+}
+
+// Whole blocks are left out where all their poses are too near, and none that has another one.
+TEST_F(SearchWithinLimits, AwayFromAPoseFindsTheBestOfAllOthers) {
+  const SearchLattice lattice = lattice_of(points_, field_.resolution(), kLattice);
+  struct Tried {
+    Pose2 pose;
+    double value;
+  };
+  std::vector<Tried> all;
+  for (int turn = -lattice.turns; turn <= lattice.turns; ++turn) {
+    for (int y = -lattice.shifts; y <= lattice.shifts; ++y) {
+      for (int x = -lattice.shifts; x <= lattice.shifts; ++x) {
+        const Pose2 pose = lattice.pose(kTruth, field_.resolution(), turn, x, y);
+        all.push_back({pose, field_.sum_log_at(points_, pose)});
+      }
+    }
+  }
+  for (const double distance : {0.06, 0.2, 0.4, 0.9}) {
+    for (const double turn : {0.06, 0.35, 2.0, kPi}) {
+      const SearchLimits limits{
+          .away_from = kTruth * Pose2{0.02, 0.01, 0.02}, .distance = distance, .turn = turn};
+      double best = -1e300;
+      for (const Tried& tried : all) {
+        if (!limits.exclude(tried.pose)) best = std::max(best, tried.value);
+      }
+      const std::optional<ScanMatch> match = found(limits);
+      ASSERT_TRUE(match) << distance << ' ' << turn;
+      EXPECT_DOUBLE_EQ(match->log_likelihood, best) << distance << ' ' << turn;
+    }
+  }
 }
 
 TEST_F(SearchWithinLimits, APoseIsAwayByItsPlaceOrByItsHeading) {

@@ -129,6 +129,7 @@ class CorrelativeSearch {
     if (made) return *made;
     made.emplace();
     made->points = turner_.turned({first, bits, level});
+    if (points_.weights.empty()) sort_by_level(made->points.cells);
     made->theta = lattice_.pose(prediction_.mean, map_.resolution(), first, 0, 0).theta;
     if (bits > 0) return *made;
     made->prior = prior_bound_.at(made->theta);
@@ -189,17 +190,36 @@ class CorrelativeSearch {
     return pyramid_.levels[its_level].at(points.x[i] + x, points.y[i] + y);
   }
 
+  // Whether the limits exclude all poses of a block: they do so for those between others, too.
+  bool is_excluded(const Block& block, int level) const {
+    if (!limits_.away_from) return false;
+    const int side = (1 << level) - 1, turns = (1 << group_bits(level)) - 1;
+    if (turns * lattice_.turn_step >= 1.0) return false;  // nothing lies between
+    for (const int turn : {block.turn, block.turn + turns}) {
+      for (const int y : {block.y, block.y + side}) {
+        for (const int x : {block.x, block.x + side}) {
+          if (!limits_.exclude(lattice_.pose(prediction_.mean, map_.resolution(), turn, x, y))) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
   void branch(const Block& block, int level) {
     if (level == 0) {
       ++looked_at_;
       const Pose2 pose =
           lattice_.pose(prediction_.mean, map_.resolution(), block.turn, block.x, block.y);
+      if (limits_.exclude(pose)) return;
       const double value = map_.sum_log_at(points_, pose) + prediction_.log_at(pose);
-      if (value <= best_ || limits_.exclude(pose)) return;
+      if (value <= best_) return;
       best_ = value;
       best_pose_ = pose;
       return;
     }
+    if (is_excluded(block, level)) return;
     const int half = 1 << (level - 1);
     const int last_turn = std::min(lattice_.turns, block.turn + (1 << group_bits(level)) - 1);
     const BlockGrid quarters{block.x, block.y, level - 1, block.x + half > lattice_.shifts ? 1 : 2,

@@ -10,7 +10,7 @@ GraphSlam::GraphSlam(const GraphSlamOptions& options, const Pose2& start)
     : options_(options),
       start_(start),
       chain_(options.chain),
-      loops_(options.chain.submaps, options.loops) {}
+      loops_({options.chain.submaps, options.loops.search.largest_window}, options.loops) {}
 
 void GraphSlam::add(const Measurement& measurement, std::span<const float> beam_weights) {
   std::optional<NodeChain::NewSubmap> ended = chain_.add(measurement, beam_weights);

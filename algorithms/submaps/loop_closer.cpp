@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Dense>
 #include <tbb/parallel_for.h>
@@ -14,8 +15,8 @@
 
 namespace mapbed {
 
-LoopCloser::LoopCloser(const SubmapOptions& submaps, const LoopCloserOptions& options)
-    : options_(options), fields_(submaps, options.search.largest_window) {}
+LoopCloser::LoopCloser(SubmapFields fields, const LoopCloserOptions& options)
+    : options_(options), fields_(std::move(fields)) {}
 
 void LoopCloser::add(Submap submap, int node) {
   submaps_.push_back(std::move(submap));

@@ -51,7 +51,7 @@ void visit_fields(LoopCloserOptions& o, Visitor&& visit) {
 // the same place.
 class LoopCloser {
  public:
-  LoopCloser(const SubmapOptions& submaps, const LoopCloserOptions& options);
+  LoopCloser(SubmapFields fields, const LoopCloserOptions& options);
 
   // The node of the graph whose frame the local map has.
   void add(Submap submap, int node);

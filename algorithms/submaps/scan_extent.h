@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "algorithms/submaps/point_motion.h"
 #include "core/geometry/pose2.h"
 #include "core/sensor/laser_scan.h"
 
@@ -34,10 +35,13 @@ class ScanExtent {
     bool hit = false;    // and what is there was hit
   };
   struct Fan {  // of one laser
-    Pose2 robot_from_laser;
+    PointMotion laser_from_robot;
     double first_bearing = 0.0, bearing_step = 1.0;  // [rad]
+    double farthest = 0.0;                           // [m] of the directions
     std::vector<Direction> directions;
   };
+  static double beams_from_first(const Fan& fan, double bearing);
+  static double beam_at(const Fan& fan, const Eigen::Vector2d& point_in_laser);
   static Seen seen_by(const Fan& fan, const Eigen::Vector2d& point_in_robot, double margin);
 
   std::vector<Fan> fans_;

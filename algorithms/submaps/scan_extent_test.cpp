@@ -1,7 +1,10 @@
 #include "algorithms/submaps/scan_extent.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "core/geometry/angle.h"
 #include "core/testing/test_room.h"
 
 namespace mapbed {
@@ -63,6 +66,34 @@ TEST(ScanExtent, AnEdgeIsNeitherFreeNorHiddenBetweenTwoBeams) {
   EXPECT_EQ(extent.at({5.0, 1.0}, kMargin), Seen::nothing);
   EXPECT_EQ(extent.at({5.0, -1.0}, kMargin), Seen::free);
   EXPECT_EQ(extent.at({3.1, 0.5}, kMargin), Seen::surface);
+}
+
+// Between its neighbours nothing is known, up to the last bits of a bearing, wherever it points.
+TEST(ScanExtent, AMissingBeamLeavesAGapFromTheOneBeforeToTheOneAfter) {
+  constexpr double kHair = 1e-9;  // [rad]
+  for (const double turning : {1.0, -1.0}) {
+    for (const double first : {-kPi, -2.0, 0.7}) {
+      for (std::size_t missing = 2; missing < 358; missing += 7) {
+        LaserScan scan;
+        scan.first_bearing = first;
+        scan.bearing_step = turning * radians(1.0);
+        scan.max_range = 10.0;
+        scan.ranges.assign(360, 5.0);
+        scan.ranges[missing] = 0.0;
+        const ScanExtent extent{scan, 30.0, 20.0};
+        const auto seen = [&](double beam, double off) {
+          const double bearing = first + turning * (radians(beam) + off);
+          return extent.at({3.0 * std::cos(bearing), 3.0 * std::sin(bearing)}, kMargin);
+        };
+        const auto at = static_cast<double>(missing);
+        EXPECT_EQ(seen(at - 1.0, -kHair), Seen::free) << missing;
+        EXPECT_EQ(seen(at - 1.0, kHair), Seen::nothing) << missing;
+        EXPECT_EQ(seen(at + 0.3, 0.0), Seen::nothing) << missing;
+        EXPECT_EQ(seen(at + 1.0, -kHair), Seen::nothing) << missing;
+        EXPECT_EQ(seen(at + 1.0, kHair), Seen::free) << missing;
+      }
+    }
+  }
 }
 
 // As of a sweep that was corrected for the motion of the robot.

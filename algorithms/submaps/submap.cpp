@@ -5,7 +5,13 @@
 
 namespace mapbed {
 
-Seen seen_in(const Submap& submap, const std::vector<Pose2>& robots_from_submap,
+std::vector<PointMotion> robots_from(const Submap& submap) {
+  std::vector<PointMotion> robots_from_submap;
+  for (const Pose2& pose : submap.path) robots_from_submap.emplace_back(inverse(pose));
+  return robots_from_submap;
+}
+
+Seen seen_in(const Submap& submap, const std::vector<PointMotion>& robots_from_submap,
              const Eigen::Vector2d& point) {
   constexpr double kMargin = 0.3;  // [m]
   Seen seen = Seen::nothing;

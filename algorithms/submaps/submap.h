@@ -6,6 +6,7 @@
 #include "algorithms/field/bound_pyramid.h"
 #include "algorithms/field/likelihood_field.h"
 #include "algorithms/scan/surface_points.h"
+#include "algorithms/submaps/point_motion.h"
 #include "algorithms/submaps/scan_extent.h"
 #include "core/config/option.h"
 #include "core/geometry/pose2.h"
@@ -46,7 +47,8 @@ struct Submap {
 // What its scans say of a point in its frame [m]: free where any of them looked through it, a
 // surface within a margin of where beams ended. The inverses of its path are asked for, as points
 // are many.
-Seen seen_in(const Submap& submap, const std::vector<Pose2>& robots_from_submap,
+std::vector<PointMotion> robots_from(const Submap& submap);
+Seen seen_in(const Submap& submap, const std::vector<PointMotion>& robots_from_submap,
              const Eigen::Vector2d& point);
 
 Submap make_submap(const std::vector<SubmapScan>& scans, const SubmapOptions& options);

@@ -30,10 +30,10 @@ std::vector<Eigen::Vector2d> spread_evenly(const std::vector<SurfacePoint>& poin
 // Points of one local map in the other.
 void compare(const Submap& seer, const LikelihoodField& field, const Submap& seen,
              const Pose2& seer_from_seen, int at_most, Agreement& agreement) {
-  std::vector<Pose2> robots_from_seer;
-  for (const Pose2& pose : seer.path) robots_from_seer.push_back(inverse(pose));
+  const std::vector<PointMotion> robots_from_seer = robots_from(seer);
+  const PointMotion motion(seer_from_seen);
   for (const Eigen::Vector2d& point_in_seen : spread_evenly(seen.surface, at_most)) {
-    const Eigen::Vector2d point = seer_from_seen * point_in_seen;
+    const Eigen::Vector2d point = motion * point_in_seen;
     if (field.log_at(point) > kOnSurface * double{field.outlier_log()}) {
       agreement.matched += 1.0;
     } else if (seen_in(seer, robots_from_seer, point) != Seen::nothing) {

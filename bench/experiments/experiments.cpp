@@ -1,5 +1,6 @@
 #include "bench/experiments/end_points.h"
 #include "bench/experiments/experiment.h"
+#include "bench/experiments/false_loops/false_loops.h"
 #include "bench/experiments/known_poses.h"
 #include "bench/experiments/laser_readings.h"
 #include "bench/experiments/learned_people.h"
@@ -18,6 +19,7 @@ const std::vector<Experiment>& experiments() {
       slam_experiment(),           odds_vs_counting_experiment(), known_poses_experiment(),
       end_points_experiment(),     matching_basin_experiment(),   motion_models_experiment(),
       laser_readings_experiment(), log_faults_experiment(),       learned_people_experiment(),
+      false_loops_experiment(),
   };
   return table;
 }

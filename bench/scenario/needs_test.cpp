@@ -92,6 +92,28 @@ TEST_F(Needs, WhatALogCannotGiveIsRefusedBeforeARun) {
                      "'log' says nothing to the experiment test, which needs no log; take it out");
 }
 
+// Of an option that names a file: the first value's is not here.
+TEST_F(Needs, RunsWhoseFileIsNotHereAreSkipped) {
+  const std::string yaml = "metrics: [length]\nseeds: 2\ncompare: {a: {}, b: {seeds: 1}}\n";
+  int configured = 0;
+  Experiment some = experiment(Experiment::Needs::nothing);
+  const auto configure = some.configure;
+  some.configure = [&configured, configure](const Settings& settings) {
+    auto result = configure(settings);
+    if (++configured == 1) result.missing = "the file is not here";
+    return result;
+  };
+  const ScenarioPlan plan = this->plan(yaml, some);
+  EXPECT_THAT(plan.results.skipped, ::testing::ElementsAre("the file is not here: 2 runs skipped"));
+  EXPECT_THAT(plan.runs_to_do(), ::testing::ElementsAre(1));
+  some.configure = [configure](const Settings& settings) {
+    auto result = configure(settings);
+    result.missing = "the file is not here";
+    return result;
+  };
+  EXPECT_INPUT_ERROR(this->plan(yaml, some), "the file is not here; set MAPBED_DATA");
+}
+
 TEST_F(Needs, ASimulatedLogGivesEverything) {
   const std::string drive = kDrive + std::string("metrics: [length]\n");
   for (const auto needs :

@@ -197,6 +197,7 @@ const PlannedRuns& ScenarioPlan::planned_of(const RunRow& row) const {
 }
 
 std::string PlannedRuns::missing() const {
+  if (!experiment.missing.empty()) return experiment.missing;
   for (const auto& source : sources) {
     if (!source->missing.empty()) return source->missing;
   }

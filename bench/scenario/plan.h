@@ -19,7 +19,7 @@ struct PlannedRuns {
   // Runs with the same settings share them.
   std::vector<std::shared_ptr<const SourcePlan>> sources = {};
 
-  std::string missing() const;  // why there is nothing to work on; empty: all logs are here
+  std::string missing() const;  // why there is nothing to work on; empty: all files are here
 };
 
 // Sources by their settings, so that each is planned once, however many runs have it.

@@ -15,6 +15,8 @@ struct Configured {
   std::string complete_yaml;  // as it stands beside the results
   std::function<Made> make;
   InputFiles files = {};  // that were read for it
+  // Why nothing can be made of it: a file that is no part of the program is not here. Else empty.
+  std::string missing = {};
 };
 
 }  // namespace mapbed
