@@ -96,6 +96,11 @@ void add_points(const Reading& reading, const Run& run, FourInts* sums) {
   const unsigned columns = reading.columns, rows_inside = reading.rows;
   const int to_column = reading.blocks.x - (level.min_x << thinning);
   const int to_row = reading.blocks.y - (level.min_y << thinning);
+  // From where on the first block may lie so that one of them does not.
+  const int span_x = (reading.blocks.columns - 1) * stride;
+  const int span_y = (reading.blocks.rows - 1) * stride;
+  const auto columns_reaching = static_cast<unsigned>(level.width + span_x);
+  const auto rows_reaching = static_cast<unsigned>(level.height + span_y);
   const int *const xs = run.x, *const ys = run.y;
   for (std::size_t first = 0; first < run.count; first += kTogether) {
     const std::size_t end = std::min(run.count, first + kTogether);
@@ -105,7 +110,9 @@ void add_points(const Reading& reading, const Run& run, FourInts* sums) {
       const bool inside =
           static_cast<unsigned>(column) < columns && static_cast<unsigned>(row) < rows_inside;
       if (!inside) {
-        add_across_border<rows>(reading, xs[i], ys[i], sums);
+        const bool reaches_in = static_cast<unsigned>(column + span_x) < columns_reaching &&
+                                static_cast<unsigned>(row + span_y) < rows_reaching;
+        if (reaches_in) add_across_border<rows>(reading, xs[i], ys[i], sums);
         continue;
       }
       const std::uint8_t* from = bounds + row * width + column;

@@ -97,6 +97,25 @@ Image<float> occupancy_of_picture(const std::string& path) {
   return occupancy;
 }
 
+GrayImage greys_of(const OccupancyMap& map, const CellBox& box, MapServerMode mode) {
+  GrayImage greys(box.width(), box.height());
+  auto pixel = greys.pixels().begin();
+  for (int y = box.max.y; y >= box.min.y; --y) {
+    for (int x = box.min.x; x <= box.max.x; ++x) {
+      *pixel++ = map_server_grey(map[{x, y}].probability, mode);
+    }
+  }
+  return greys;
+}
+
+std::string yaml_of(const OccupancyMap& map, const CellBox& box, const std::string& image,
+                    MapServerMode mode) {
+  const Eigen::Vector2d corner = map.frame().corner_of(box.min);
+  return map_server_yaml(image, {.resolution = map.resolution(),
+                                 .map_from_image = {corner.x(), corner.y(), 0.0},
+                                 .mode = mode});
+}
+
 bool is_yaml(const fs::path& path) {
   return path.extension() == ".yaml" || path.extension() == ".yml";
 }
@@ -121,24 +140,14 @@ OccupancyMap occupancy_map_of(const MapServerMap& map) {
 
 MapText map_text(const OccupancyMap& map, const std::string& image, MapServerMode mode) {
   const CellBox box = image_box(map, image);
-  GrayImage greys(box.width(), box.height());
-  auto pixel = greys.pixels().begin();
-  for (int y = box.max.y; y >= box.min.y; --y) {
-    for (int x = box.min.x; x <= box.max.x; ++x) {
-      *pixel++ = map_server_grey(map[{x, y}].probability, mode);
-    }
-  }
-  const Eigen::Vector2d corner = map.frame().corner_of(box.min);
-  return {pgm_of(greys), map_server_yaml(image, {.resolution = map.resolution(),
-                                                 .map_from_image = {corner.x(), corner.y(), 0.0},
-                                                 .mode = mode})};
+  return {pgm_of(greys_of(map, box, mode)), yaml_of(map, box, image, mode)};
 }
 
 void write_map(const std::string& stem, const OccupancyMap& map, MapServerMode mode) {
-  const std::string picture = stem + ".pgm";
-  const MapText text = map_text(map, fs::path(picture).filename().string(), mode);
-  write_file(picture, text.pgm);
-  write_file(stem + ".yaml", text.yaml);
+  const std::string picture = stem + ".pgm", image = fs::path(picture).filename().string();
+  const CellBox box = image_box(map, image);
+  write_pgm(picture, greys_of(map, box, mode));  // without its text in memory
+  write_file(stem + ".yaml", yaml_of(map, box, image, mode));
 }
 
 OccupancyMap read_map(const std::string& path, std::optional<double> resolution) {

@@ -149,7 +149,7 @@ std::optional<SubmapMatch> LazySlam::searched(const LoopCandidate& candidate, in
       {candidate.target_from_query, candidate.window, candidate.turn_window,
        match_submaps(submaps_[target], *field_of_target, submaps_[static_cast<std::size_t>(query)],
                      *field_of_query, candidate.target_from_query, candidate.window,
-                     candidate.turn_window, options_.loops.matching)});
+                     candidate.turn_window, options_.loops.matching, Rivals::ignored)});
   return before.back().match;
 }
 

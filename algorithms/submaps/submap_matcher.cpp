@@ -87,7 +87,7 @@ Agreement agreement(const Submap& target, const LikelihoodField& target_field, c
 std::optional<SubmapMatch> match_submaps(const Submap& target, const SubmapField& target_field,
                                          const Submap& query, const SubmapField& query_field,
                                          const Pose2& predicted, double window, double turn_window,
-                                         const SubmapMatcherOptions& options) {
+                                         const SubmapMatcherOptions& options, Rivals rivals) {
   const LikelihoodField& field = target_field.field;
   const FieldPoints points =
       to_field_points(spread_evenly(query.surface, options.search_points), field.resolution());
@@ -116,6 +116,11 @@ std::optional<SubmapMatch> match_submaps(const Submap& target, const SubmapField
   if (match.agreement.ratio() < min_agreement || match.agreement.overlap() < min_overlap) {
     return {};
   }
+  match.covariance =
+      covariance_of(best.map_from_robot, on_lines(points, field, best.map_from_robot), field,
+                    window, turn_window, options);
+  match.is_unique = match.complete;
+  if (rivals == Rivals::ignored || !match.complete) return match;
   const double near_best = best.log_likelihood - std::log(options.min_odds) / options.beam_weight;
   const LimitedSearch rival =
       best_match_within(points, field, target_field.pyramid, anywhere, lattice,
@@ -125,15 +130,12 @@ std::optional<SubmapMatch> match_submaps(const Submap& target, const SubmapField
                          .distance = options.rival_distance,
                          .turn = options.rival_turn,
                          .max_blocks = max_blocks});
-  match.complete = match.complete && rival.complete;
+  match.complete = rival.complete;
   match.is_unique =
       match.complete &&
       !(rival.match &&
         match_scan_from(rival.match->map_from_robot, points, field, anywhere).log_likelihood >=
             near_best);
-  match.covariance =
-      covariance_of(best.map_from_robot, on_lines(points, field, best.map_from_robot), field,
-                    window, turn_window, options);
   return match;
 }
 

@@ -81,12 +81,17 @@ struct SubmapMatch {
   bool complete = true;         // false: the search was given up
 };
 
+// Whether is_unique is asked for, which takes a second search; else it is true where the first one
+// was not given up.
+enum class Rivals : int { searched, ignored };
+
 // Where one local map lies in the frame of another, within a window about where it is predicted
 // ([m] along both axes, [rad]), by branch and bound and a climb from there. None where they do not
 // agree anywhere.
 std::optional<SubmapMatch> match_submaps(const Submap& target, const SubmapField& target_field,
                                          const Submap& query, const SubmapField& query_field,
                                          const Pose2& predicted, double window, double turn_window,
-                                         const SubmapMatcherOptions& options);
+                                         const SubmapMatcherOptions& options,
+                                         Rivals rivals = Rivals::searched);
 
 }  // namespace mapbed

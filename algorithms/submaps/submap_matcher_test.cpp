@@ -26,9 +26,9 @@ Submap submap_along(const TestRoom& room, const Pose2& map_from_submap, int scan
 }
 
 std::optional<SubmapMatch> matched(const Submap& target, const Submap& query,
-                                   const Pose2& predicted) {
+                                   const Pose2& predicted, Rivals rivals = Rivals::searched) {
   return match_submaps(target, make_field(target, {}, kWindow), query,
-                       make_field(query, {}, kWindow), predicted, kWindow, kTurnWindow, {});
+                       make_field(query, {}, kWindow), predicted, kWindow, kTurnWindow, {}, rivals);
 }
 
 TEST(SubmapMatcher, FindsWhereOneMapLiesInAnother) {
@@ -77,6 +77,17 @@ TEST(SubmapMatcher, ACorridorIsNotUniqueAlongItself) {
   ASSERT_TRUE(match.has_value());
   EXPECT_FALSE(match->is_unique);
   EXPECT_GT(match->covariance(0, 0), 1000.0 * match->covariance(1, 1));
+}
+
+TEST(SubmapMatcher, WithoutRivalsFindsTheSamePlace) {
+  const TestRoom bare = corridor(60.0);
+  const Submap target = submap_along(bare, {}), query = submap_along(bare, {1.0, 0.0, 0.0});
+  const auto match = matched(target, query, {1.0, 0.0, 0.0}, Rivals::ignored);
+  const auto beside_others = matched(target, query, {1.0, 0.0, 0.0});
+  ASSERT_TRUE(match.has_value() && beside_others.has_value());
+  EXPECT_EQ(match->target_from_query, beside_others->target_from_query);
+  EXPECT_EQ(match->covariance, beside_others->covariance);
+  EXPECT_TRUE(match->is_unique);
 }
 
 TEST(SubmapMatcher, AnEmptyMapMatchesNothing) {
