@@ -12,7 +12,7 @@ enum class GraphAlgorithm : int { gauss_newton, levenberg_marquardt, dogleg };
 
 struct GraphOptimizationOptions {
   GraphAlgorithm algorithm = GraphAlgorithm::levenberg_marquardt;
-  int max_iterations = 100;
+  int max_iterations = 500;
   double min_decrease = 1e-8;  // of the cost, as a fraction; it ends where a step promises less
   RobustLossOptions robust;
 };

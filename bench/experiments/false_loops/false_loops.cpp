@@ -40,16 +40,14 @@ void visit_fields(FalseLoopsExperiment& o, Visitor&& visit) {
   visit("optimization", o.optimization, "how the graph is optimised");
 }
 
+// One column each, [m].
 template <class Pose>
-using Positions = Eigen::Matrix<double, kDegreesOfFreedom<Pose> == 3 ? 2 : 3, Eigen::Dynamic>;
-
-template <class Pose>
-Positions<Pose> positions_of(const std::vector<Pose>& poses) {
-  Positions<Pose> positions(Positions<Pose>::RowsAtCompileTime,
-                            static_cast<Eigen::Index>(poses.size()));
+Eigen::MatrixXd positions_of(const std::vector<Pose>& poses) {
+  constexpr int kDimensions = kDegreesOfFreedom<Pose> == 3 ? 2 : 3;
+  Eigen::MatrixXd positions(kDimensions, static_cast<Eigen::Index>(poses.size()));
   for (Eigen::Index i = 0; i < positions.cols(); ++i) {
     const Pose& pose = poses[static_cast<std::size_t>(i)];
-    if constexpr (kDegreesOfFreedom<Pose> == 3) {
+    if constexpr (kDimensions == 2) {
       positions.col(i) = pose.position();
     } else {
       positions.col(i) = pose.position;
@@ -61,15 +59,12 @@ Positions<Pose> positions_of(const std::vector<Pose>& poses) {
 // [m] RMS distance from the truth after the best rotation and shift.
 template <class Pose>
 double error_of(const std::vector<Pose>& poses, const std::vector<Pose>& truth) {
-  const Positions<Pose> found = positions_of(poses);
-  const Positions<Pose> wanted = positions_of(truth);
-  const auto motion = Eigen::umeyama(found, wanted, /*with_scaling=*/false);
-  const Positions<Pose> aligned =
-      (motion.template topLeftCorner<Positions<Pose>::RowsAtCompileTime,
-                                     Positions<Pose>::RowsAtCompileTime>() *
-       found)
-          .colwise() +
-      motion.template topRightCorner<Positions<Pose>::RowsAtCompileTime, 1>();
+  const Eigen::MatrixXd found = positions_of(poses);
+  const Eigen::MatrixXd wanted = positions_of(truth);
+  const Eigen::MatrixXd motion = Eigen::umeyama(found, wanted, /*with_scaling=*/false);
+  const Eigen::Index dimensions = found.rows();
+  const Eigen::MatrixXd aligned = (motion.topLeftCorner(dimensions, dimensions) * found).colwise() +
+                                  motion.col(dimensions).head(dimensions);
   return std::sqrt((aligned - wanted).colwise().squaredNorm().mean());
 }
 
