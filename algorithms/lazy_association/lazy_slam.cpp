@@ -159,8 +159,8 @@ std::vector<LoopMatch> LazySlam::matches_of(const std::vector<LoopCandidate>& ca
   for (const LoopCandidate& candidate : candidates) {
     const std::optional<SubmapMatch> match = searched(candidate, query);
     if (!match) continue;
-    matches.push_back(
-        {candidate.target, query, match->target_from_query, match->covariance, candidate.window});
+    matches.push_back({candidate.target, query, match->target_from_query, match->covariance,
+                       candidate.window, candidate.turn_window});
   }
   return matches;
 }

@@ -47,7 +47,7 @@ std::vector<LoopMatch> LoopCloser::matches_of(int query,
   for (std::size_t i = 0; i < fresh.size(); ++i) {
     if (!found[i] || !found[i]->is_unique) continue;
     matches.push_back({fresh[i].target, query, found[i]->target_from_query, found[i]->covariance,
-                       fresh[i].window});
+                       fresh[i].window, fresh[i].turn_window});
   }
   return matches;
 }
@@ -59,26 +59,33 @@ std::vector<LoopMatch> LoopCloser::find(int query, const PoseGraph<Pose2>& graph
   const std::vector<LoopMatch> matches = matches_of(query, candidates);
   std::vector<LoopMatch> believed;
   for (const LoopMatch& match : matches) {
-    bool confirmed = match.window <= options_.sure_window;
-    for (auto other = waiting_.begin(); other != waiting_.end();) {
-      if (confirm_each_other(match, *other, graph, weights)) {
-        confirmed = true;
-        believed.push_back(*other);
-        other = waiting_.erase(other);
-      } else {
-        ++other;
-      }
+    double chance = match.window <= options_.sure_window ? 0.0 : 1.0;
+    std::vector<std::size_t> agreeing;
+    for (std::size_t other = 0; other < waiting_.size(); ++other) {
+      const std::optional<double> of_both =
+          chance_of_agreement(match, waiting_[other], graph, weights);
+      if (!of_both) continue;
+      chance *= *of_both;
+      agreeing.push_back(other);
     }
-    (confirmed ? believed : waiting_).push_back(match);
+    if (chance > options_.confirming_chance) {
+      waiting_.push_back(match);
+      continue;
+    }
+    for (const std::size_t other : agreeing) believed.push_back(waiting_[other]);
+    for (auto other = agreeing.rbegin(); other != agreeing.rend(); ++other) {
+      waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(*other));
+    }
+    believed.push_back(match);
   }
   return believed;
 }
 
-// Whether both have the query of `a` at the same place of its target.
-bool LoopCloser::confirm_each_other(const LoopMatch& a, const LoopMatch& b,
-                                    const PoseGraph<Pose2>& graph,
-                                    const std::vector<double>& weights) const {
-  if (a.query == b.query || std::abs(a.query - b.query) > options_.confirmed_within) return false;
+// None where the two do not have the query of `a` at the same place of its target.
+std::optional<double> LoopCloser::chance_of_agreement(const LoopMatch& a, const LoopMatch& b,
+                                                      const PoseGraph<Pose2>& graph,
+                                                      const std::vector<double>& weights) const {
+  if (a.query == b.query || std::abs(a.query - b.query) > options_.confirmed_within) return {};
   const auto pose_of = [&](int submap) {
     return graph.nodes[static_cast<std::size_t>(node_of(submap))];
   };
@@ -87,7 +94,7 @@ bool LoopCloser::confirm_each_other(const LoopMatch& a, const LoopMatch& b,
   };
   const Reach targets = reach_between(a.target, b.target);
   const Reach queries = reach_between(b.query, a.query);
-  if (!targets.reached || !queries.reached) return false;
+  if (!targets.reached || !queries.reached) return {};
   // a.target <- b.target <- b.query <- a.query
   const Pose2 b_query_from_a_query = motion_between(pose_of(b.query), pose_of(a.query));
   const Pose2 by_b = motion_between(pose_of(a.target), pose_of(b.target)) * b.target_from_query *
@@ -108,15 +115,24 @@ bool LoopCloser::confirm_each_other(const LoopMatch& a, const LoopMatch& b,
   const Eigen::Matrix3d covariance = a.covariance + turned(queries.covariance, 0.0, 0.0) +
                                      turned(b.covariance, b_query_from_a_query.theta, query_lever) +
                                      turned(targets.covariance, -by_b.theta, target_lever);
-  // Where this leaves so much open that most places would agree, it confirms nothing.
-  const double sigma = std::sqrt(std::max(covariance(0, 0), covariance(1, 1)));
-  if (sigma > options_.confirming_sigma) return false;
   const Eigen::Vector3d e(error.x, error.y, error.theta);
-  return e.dot(covariance.ldlt().solve(e)) <= chi_square_quantile(options_.confidence, 3);
+  const double quantile = chi_square_quantile(options_.confidence, 3);
+  if (e.dot(covariance.ldlt().solve(e)) > quantile) return {};
+  return chance_within(covariance, quantile, std::min(a.window, b.window),
+                       std::min(a.turn_window, b.turn_window));
 }
 
 PoseConstraint<Pose2> LoopCloser::constraint_of(const LoopMatch& match) const {
   return constraint_between(match, node_of(match.target), node_of(match.query));
+}
+
+// The shares of an ellipse in a disc, and of an interval in a longer one.
+double chance_within(const Eigen::Matrix3d& covariance, double quantile, double window,
+                     double turn_window) {
+  const double place =
+      quantile * std::sqrt(covariance.topLeftCorner<2, 2>().determinant()) / (window * window);
+  const double turn = std::sqrt(quantile * covariance(2, 2)) / turn_window;
+  return std::min(place, 1.0) * std::min(turn, 1.0);
 }
 
 PoseConstraint<Pose2> constraint_between(const LoopMatch& match, int target_node, int query_node) {
