@@ -25,7 +25,8 @@ void visit_fields(FalseLoopOptions& o, Visitor&& visit) {
         "each false loop closure by itself, or runs of several that agree with one another");
   visit("share", o.share, between(0.0, 0.99),
         "of all loop closures, how many are false; these are added to the right ones");
-  visit("group", o.group, at_least(1), "false loop closures of a run, where they are grouped");
+  visit("group", o.group, between(1, 100'000),
+        "false loop closures of a run, where they are grouped");
   visit("sigma", o.sigma, Unit::meter, kNotNegative,
         "how far apart two places lie, by each coordinate, that are falsely taken for one");
   visit("turn_sigma", o.turn_sigma, Unit::radian, kNotNegative, "the same of each angle");

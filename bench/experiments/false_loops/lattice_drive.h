@@ -35,7 +35,8 @@ void visit_fields(LatticeDriveOptions& o, Visitor&& visit) {
   visit("blocks", o.blocks, between(1, 1000), "of a side of the lattice");
   visit("loops", o.loops, between(0.0, 1.0),
         "of the poses where the robot has been before, how many close a loop");
-  visit("absence", o.absence, at_least(1), "poses that lie at least between two of a loop closure");
+  visit("absence", o.absence, between(1, 1'000'000),
+        "poses that lie at least between two of a loop closure");
   visit("sigma", o.sigma, Unit::meter, kPositive,
         "of each coordinate that a constraint measures, odometry and loops alike");
   visit("turn_sigma", o.turn_sigma, Unit::radian, kPositive, "the same about each axis");
