@@ -18,7 +18,8 @@ using ::testing::SizeIs;
 
 TEST(RevisionFigures, TheLikelihoodStandsOverTheEndsOfLocalMapsUnderBothDecisions) {
   AssociationTree tree = example_associations();
-  for (std::size_t i = 0; i < tree.nodes.size(); ++i) tree.nodes[i].newest = -static_cast<double>(i);
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i)
+    tree.nodes[i].newest = -static_cast<double>(i);
   const Plot plot = likelihood_plot(tree, "lazy");
   ASSERT_THAT(plot.series, SizeIs(2));
   EXPECT_THAT(plot.series[0].x, ElementsAre(5.0, 10.0, 15.0, 20.0, 25.5));
