@@ -71,10 +71,4 @@ MatchInformation match_information(const Pose2& optimum, const FieldPoints& poin
           scatter_of(points, map, optimum, static_cast<std::size_t>(options.beams_together))};
 }
 
-Eigen::Matrix3d match_covariance(const Pose2& optimum, const FieldPoints& points,
-                                 const LikelihoodField& map, const PosePrior& prediction,
-                                 const MatchCovarianceOptions& options) {
-  return match_information(optimum, points, map, options).covariance(prediction.information);
-}
-
 }  // namespace mapbed

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 
 #include "algorithms/field/likelihood_field.h"
-#include "algorithms/motion/pose_prior.h"
 #include "core/config/option.h"
 
 namespace mapbed {
@@ -24,14 +23,21 @@ void visit_fields(MatchCovarianceOptions& o, Visitor&& visit) {
         "neighbouring points of a scan whose errors are alike");
 }
 
-// What a match knows: by how much the slope of ln p(z | x, m) at its optimum x changes with the
-// pose, and the scatter of what the scan's points pull with, both of (x, y, theta) in the frame of
-// x.
+// How far the optimum of ln p(z | x, m) + ln p(x) may lie from the true pose: of (x, y, theta) in
+// the frame of the optimum, as of an estimator by slopes (Huber's sandwich).
+//
+// Knows only what lies about this optimum: not that another one may be the right one.
 struct MatchInformation {
-  Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();  // H
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();    // S
+  // H: how fast the slope of ln p(z | x, m) changes over probe_step to either side. A map of cells
+  // follows a scan that is moved by less than its noise, so that its curvature at a point promises
+  // more than a match can keep.
+  Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();
+  // S, the sum over groups of points of s s^T, s the slope that a group of neighbouring points
+  // pulls with. What neighbours err in common (the wall of the map that they lie on) so counts
+  // once, not once for each.
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
 
-  // Of the optimum of ln p(z | x, m) + ln p(x), P being the information of the prediction p(x).
+  // (H + P)^-1 (S + P) (H + P)^-1, P being the information of the prediction p(x).
   Eigen::Matrix3d covariance(const Eigen::Matrix3d& of_prediction = Eigen::Matrix3d::Zero()) const;
   // H S^-1 H, of the scan alone: 0 in directions in which it says nothing.
   Eigen::Matrix3d information() const;
@@ -40,21 +46,5 @@ struct MatchInformation {
 MatchInformation match_information(const Pose2& optimum, const FieldPoints& points,
                                    const LikelihoodField& map,
                                    const MatchCovarianceOptions& options = {});
-
-// How far the optimum of ln p(z | x, m) + ln p(x) may lie from the true pose: the covariance of
-// (x, y, theta) in the frame of `optimum`, as that of an estimator by slopes (Huber's sandwich),
-//
-//   (H + P)^-1 (S + P) (H + P)^-1,    S = sum over groups of points of s s^T,
-//
-// P the information of the prediction and s the slope that a group of neighbouring points pulls
-// with. What neighbours err in common (the wall of the map that they lie on) so counts once, not
-// once for each. H is how fast the whole slope changes over probe_step to either side: a map of
-// cells follows a scan that is moved by less than its noise, so that its curvature at a point
-// promises more than a match can keep.
-//
-// Knows only what lies about this optimum: not that another one may be the right one.
-Eigen::Matrix3d match_covariance(const Pose2& optimum, const FieldPoints& points,
-                                 const LikelihoodField& map, const PosePrior& prediction,
-                                 const MatchCovarianceOptions& options = {});
 
 }  // namespace mapbed

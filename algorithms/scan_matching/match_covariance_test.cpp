@@ -57,7 +57,8 @@ Consistency consistency_in(const TestRoom& room, const std::vector<Pose2>& place
       const FieldPoints points = to_field_points(hit_points(scan, {}), field.resolution());
 
       const Pose2 match = match_scan(points, field, prediction).map_from_robot;
-      const Eigen::Matrix3d covariance = match_covariance(match, points, field, prediction);
+      const Eigen::Matrix3d covariance =
+          match_information(match, points, field).covariance(prediction.information);
 
       const Pose2 error = motion_between(match, truth);
       const Eigen::Vector3d e(error.x, error.y, error.theta);
@@ -98,11 +99,13 @@ TEST(MatchCovariance, IsThatOfThePredictionWhereTheMapSaysNothing) {
   const FieldPoints points = to_field_points(hit_points(scan, {}), field.resolution());
   const PosePrior prediction = independent_prior({}, 0.05, 0.05, 0.03);
 
-  const Eigen::Matrix3d covariance = match_covariance({}, points, field, prediction);
+  const Eigen::Matrix3d covariance =
+      match_information({}, points, field).covariance(prediction.information);
 
   EXPECT_NEAR(std::sqrt(covariance(0, 0)), 0.05, 0.01);
   EXPECT_LT(std::sqrt(covariance(1, 1)), 0.01);
-  const Eigen::Matrix3d nothing_seen = match_covariance({}, {}, field, prediction);
+  const Eigen::Matrix3d nothing_seen =
+      match_information({}, {}, field).covariance(prediction.information);
   EXPECT_TRUE(nothing_seen.isApprox(prediction.information.inverse(), 1e-3));
 }
 
@@ -140,7 +143,7 @@ TEST(MatchCovariance, NeighbouringBeamsErrTogether) {
   const FieldPoints points = to_field_points(
       std::vector<Eigen::Vector2d>(10, Eigen::Vector2d(0.0, 0.98)), field.resolution());
   const auto variance_across = [&](int together) {
-    return match_covariance({}, points, field, {}, {.beams_together = together})(1, 1);
+    return match_information({}, points, field, {.beams_together = together}).covariance()(1, 1);
   };
   EXPECT_NEAR(variance_across(10) / variance_across(1), 10.0, 0.01);
   EXPECT_NEAR(variance_across(5) / variance_across(1), 5.0, 0.01);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 namespace mapbed {
+
 GraphSlam::GraphSlam(const GraphSlamOptions& options, const Pose2& start)
     : options_(options),
       start_(start),

@@ -11,6 +11,7 @@
 #include "core/geometry/angle.h"
 
 namespace mapbed {
+
 NodeChain::NodeChain(const NodeChainOptions& options)
     : options_(options), matcher_(options.matcher) {}
 
