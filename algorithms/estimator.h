@@ -8,6 +8,7 @@
 #include "algorithms/association_tree.h"
 #include "algorithms/pose_graph/pose_graph.h"
 #include "algorithms/remark.h"
+#include "algorithms/tag_belief.h"
 #include "core/config/unit.h"
 #include "core/geometry/trajectory.h"
 #include "core/labels/beam_labels.h"
@@ -44,6 +45,7 @@ struct Estimate {
   // Of methods that have one: the path's nodes, with all constraints that are believed.
   std::optional<PoseGraph<Pose2>> graph = {};
   std::optional<AssociationTree> associations = {};  // of methods that search them
+  std::vector<TagBelief> tags = {};                  // of methods that map them
 };
 
 // Labels for build_map(); none where the method gives none.
@@ -70,7 +72,8 @@ struct Hypotheses {
 
 // What a method may be told beforehand.
 struct Given {
-  std::optional<Pose2> start;  // map_from_robot at the first scan; else the map begins there
+  std::vector<TagBelief> tags;  // where RFID tags are, in the frame of the map
+  std::optional<Pose2> start;   // map_from_robot at the first scan; else the map begins there
 };
 
 // The one interface behind which methods are exchanged: measurements in, belief out, at any time.

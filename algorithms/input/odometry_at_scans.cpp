@@ -36,7 +36,9 @@ std::vector<Measurement> OdometryAtScans::released_by(const Odometry& reading) {
   std::vector<Measurement> before, after;
   for (Measurement& scan : finish()) {
     const double time = time_of(scan);
-    if (bridges && time < reading.time) before.emplace_back(between(*before_, reading, time));
+    const bool is_scan = std::holds_alternative<LaserScan>(scan);
+    if (is_scan && bridges && time < reading.time)
+      before.emplace_back(between(*before_, reading, time));
     (time < reading.time ? before : after).push_back(std::move(scan));
   }
   before_ = reading;

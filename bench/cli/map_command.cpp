@@ -90,7 +90,8 @@ void print_log(const std::string& path, const RecordedLog& log, double seconds) 
   int scans = 0;
   int readings = 0;
   for (const Measurement& measurement : log.measurements) {
-    ++(std::holds_alternative<LaserScan>(measurement) ? scans : readings);
+    if (std::holds_alternative<LaserScan>(measurement)) ++scans;
+    if (std::holds_alternative<Odometry>(measurement)) ++readings;
   }
   fmt::print("{}: {}, {} scans, {} odometry readings, {:.1f} s recorded; read in {:.2f} s\n", path,
              log.format, scans, readings,
@@ -120,6 +121,11 @@ void print_result(const MapRun& run, const std::string& folder, double total) {
   if (total > 0.0) fmt::print(", {:.0f} times real time", cost.seconds_recorded / total);
   fmt::print("; {:.0f} MB\n", peak_memory() / 1e6);
   fmt::print("written to {}\n", folder);
+}
+
+void refuse_missing_scans(const std::string& path, const SensorLog& log) {
+  if (has_scans(log)) return;
+  throw InputError({path}, "holds no laser scan", "maps are made of scans");
 }
 
 void refuse_missing_odometry(const std::string& path, const SensorLog& log,
@@ -173,6 +179,7 @@ int map_log(const MapArguments& arguments) {
   RecordedLog log = while_told("reading", [&] { return load_log(chosen.path, config.log); });
   const std::vector<Remark> of_geometry = choose_geometry(log);
   print_log(arguments.log, log, stopwatch.seconds());
+  refuse_missing_scans(arguments.log, log.measurements);
   refuse_missing_odometry(arguments.log, log.measurements, config.chosen);
   const bool by_program = config.chosen.program() != nullptr;
   const bool is_kept = by_program || config.chosen.labels_beams;

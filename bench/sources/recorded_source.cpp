@@ -67,6 +67,7 @@ Settings faults_of(const Settings& settings) {
 RecordedLog read(const RecordedPlan& plan, const GoesOn& goes_on = {}) {
   for (const InputFile& file : plan.log) check_unchanged(file);
   RecordedLog log = load_log(plan.path, plan.options, goes_on);
+  if (!has_scans(log.measurements)) throw InputError({plan.path}, "holds no laser scan");
   (void)choose_geometry(log);
   return log;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
@@ -224,6 +226,21 @@ void LogBuilder::add(LaserScan scan, long line) {
   log_.measurements.emplace_back(std::move(scan));
 }
 
+void LogBuilder::add(RfidDetections round, long line) {
+  if (!stamp_is_usable(round.time, line)) return;
+  std::set<std::string_view> heard;
+  for (const RfidRead& read : round.reads) {
+    if (!heard.insert(read.tag).second) warn(line, "a tag twice in one inventory round");
+  }
+  std::size_t bytes = 0;
+  for (RfidRead& read : round.reads) {
+    if (read.has_phase()) read.phase -= 2.0 * kPi * std::floor(read.phase / (2.0 * kPi));
+    bytes += sizeof read + read.tag.size();
+  }
+  account(kMeasurementMemory + bytes, line);
+  log_.measurements.emplace_back(std::move(round));
+}
+
 void LogBuilder::state_bearings(LaserScan& scan, double field_of_view, long line) {
   const LineBearings stated =
       bearings_of_line(scan.first_bearing, field_of_view, scan.bearing_step, scan.ranges.size());
@@ -293,7 +310,7 @@ void LogBuilder::complete_geometry() {
 
 void LogBuilder::check_counts() const {
   const bool any = std::any_of(log_.measurements.begin(), log_.measurements.end(),
-                               [](auto& m) { return std::holds_alternative<LaserScan>(m); });
+                               [](auto& m) { return !std::holds_alternative<Odometry>(m); });
   if (!any && broken_ == 0)
     throw InputError({name_}, "holds no laser scan",
                      "a map needs lines such as FLASER or ROBOTLASER1");

@@ -31,6 +31,7 @@ class LogBuilder {
   const LogOptions& options() const { return options_; }
   void add(Odometry odometry, long line);
   void add(LaserScan scan, long line);
+  void add(RfidDetections round, long line);
   void add_true_pose(const Stamped<Pose2>& pose, long line);
   void set_parameter(std::string name, std::string value, long line);
   // First bearing and step of a scan as its line has them, its field of view [0: not told].

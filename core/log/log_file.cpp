@@ -70,7 +70,7 @@ RecordedLog first_seconds_of(RecordedLog log, const std::string& name, double lo
   std::erase_if(log.true_poses, [end](const Stamped<Pose2>& pose) { return pose.time > end; });
   const bool has_scan =
       std::any_of(log.measurements.begin(), log.measurements.end(),
-                  [](const Measurement& m) { return std::holds_alternative<LaserScan>(m); });
+                  [](const Measurement& m) { return !std::holds_alternative<Odometry>(m); });
   if (!has_scan) {
     throw InputError({name}, fmt::format("its first {:g} s hold no scan", longest),
                      "take more of it by log.longest");

@@ -15,7 +15,7 @@
 
 // Recorded logs from files, plain or gzipped; the dialect is told by the content:
 //
-//   CARMEN     FLASER, RLASER, ROBOTLASER1/2, ODOM, TRUEPOS, PARAM     see carmen_log.h
+//   CARMEN     FLASER, RLASER, ROBOTLASER1/2, ODOM, RFID, TRUEPOS, PARAM     see carmen_log.h
 //   CoreSLAM   encoder ticks and 682 ranges in millimetres a line      see coreslam_log.h
 //   DP-SLAM    `Odometry x y theta`, `Laser n r…`, no stamps           see dpslam_log.h
 //   scan list  `t n r…`, the scan geometry in its '#' header           see scan_list_log.h
@@ -53,7 +53,7 @@ struct BagContents {
 
 struct RecordedLog {
   std::string format;                             // "CARMEN", "CoreSLAM", "scan list", "MCAP", …
-  SensorLog measurements;                         // by time; at least one scan
+  SensorLog measurements;                         // by time; not odometry alone
   Trajectory true_poses;                          // world_from_robot; where the log has them
   bool has_stamps = true;                         // false: the times are made up
   std::map<std::string, std::string> parameters;  // CARMEN's PARAM lines

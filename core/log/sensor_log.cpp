@@ -1,6 +1,13 @@
 #include "core/log/sensor_log.h"
 
+#include <algorithm>
+
 namespace mapbed {
+
+bool has_scans(const SensorLog& log) {
+  return std::any_of(log.begin(), log.end(),
+                     [](const Measurement& m) { return std::holds_alternative<LaserScan>(m); });
+}
 
 Trajectory odometry_of(const SensorLog& log) {
   Trajectory path;

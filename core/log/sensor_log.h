@@ -11,6 +11,7 @@ namespace mapbed {
 // first.
 using SensorLog = std::vector<Measurement>;
 
+bool has_scans(const SensorLog& log);
 Trajectory odometry_of(const SensorLog& log);  // odometry_from_robot at each of its readings
 
 }  // namespace mapbed

@@ -81,7 +81,7 @@ class Collector {
     bool has_odometry = false;
     for (const Measurement& measurement : log_.measurements) {
       const auto* scan = std::get_if<LaserScan>(&measurement);
-      has_odometry = has_odometry || scan == nullptr;
+      has_odometry = has_odometry || std::holds_alternative<Odometry>(measurement);
       if (scan == nullptr) continue;
       Laser& laser = lasers_[scan->laser];
       if (laser.first == nullptr) laser.first = scan;
@@ -132,6 +132,11 @@ class Collector {
   void write(const LaserScan& scan) {
     const Laser& laser = lasers_.at(scan.laser);
     add(laser.topic, scan.time, message_of(scan, laser));
+  }
+
+  void write(const RfidDetections& round) {
+    throw InputError({}, fmt::format("ROS has no message for RFID, as at {:.6f} s", round.time),
+                     "write a CARMEN log");
   }
 
   void write(const Odometry& odometry) {

@@ -53,6 +53,13 @@ bool is_sensible(const LaserMount& mount) {
          std::abs(mount.beam_period) <= 1.0;
 }
 
+// From 0, of a number that counts from 1; none where it is no such number.
+std::optional<int> numbered(Tokens& tokens) {
+  const double number = tokens.number();
+  if (!(number >= 1.0 && number <= kMostLasers) || number != std::floor(number)) return {};
+  return static_cast<int>(number) - 1;
+}
+
 bool are_the_same(const Odometry& a, const Odometry& b) {
   return a.time == b.time && a.odometry_from_robot == b.odometry_from_robot &&
          a.forward_velocity == b.forward_velocity && a.turn_velocity == b.turn_velocity;
@@ -76,6 +83,8 @@ class CarmenReader : public LogLineReader {
     if (const auto laser = laser_of(kind, "ROBOTLASER")) return read_robot_laser(tokens, *laser);
     if (const auto laser = laser_of(kind, "RAWLASER")) return read_raw_laser(tokens, *laser);
     if (kind == "LASERMOUNT") return read_mount(tokens);
+    if (kind == "RFID") return read_rfid(tokens);
+    if (kind == "RFIDMOUNT") return read_rfid_mount(tokens);
     if (kind == "TRUEPOS") return read_true_pose(tokens);
     if (kind == "PARAM") return read_parameter(tokens);
     skip(kind);
@@ -158,16 +167,15 @@ class CarmenReader : public LogLineReader {
   }
 
   void read_mount(Tokens& tokens) {
-    const double number = tokens.number();
+    const std::optional<int> laser = numbered(tokens);
     LaserMount mount;
     for (double* const value : {&mount.z, &mount.pitch, &mount.roll, &mount.beam_period})
       *value = tokens.number();
     read_stamp(tokens);
     if (!complete(tokens, "LASERMOUNT")) return;
-    if (!(number >= 1.0 && number <= kMostLasers) || number != std::floor(number) ||
-        !is_sensible(mount))
+    if (!laser || !is_sensible(mount))
       return builder_.broken(line_, "LASERMOUNT line without a sensible mount: left out");
-    mounts_[static_cast<int>(number) - 1] = mount;
+    mounts_[*laser] = mount;
   }
 
   void set_laser(LaserScan& scan, int laser) const {
@@ -230,6 +238,42 @@ class CarmenReader : public LogLineReader {
     builder_.add(odometry, line_);
   }
 
+  // RFIDMOUNT antenna x y theta z pitch roll
+  void read_rfid_mount(Tokens& tokens) {
+    const std::optional<int> antenna = numbered(tokens);
+    Mount mount;
+    mount.planar = read_pose(tokens);
+    for (double* const value : {&mount.z, &mount.pitch, &mount.roll}) *value = tokens.number();
+    read_stamp(tokens);
+    if (!complete(tokens, "RFIDMOUNT")) return;
+    const bool is_near = std::abs(mount.planar.x) <= 1e3 && std::abs(mount.planar.y) <= 1e3;
+    if (!antenna || !is_near || !is_sensible({mount.z, mount.pitch, mount.roll}))
+      return builder_.broken(line_, "RFIDMOUNT line without a sensible mount: left out");
+    antennas_[*antenna] = mount;
+  }
+
+  // RFID antenna frequency n, then tag, RSSI and phase of each of n reads
+  void read_rfid(Tokens& tokens) {
+    RfidDetections round;
+    const std::optional<int> antenna = numbered(tokens);
+    round.frequency = tokens.number();
+    round.reads.resize(tokens.count());
+    for (RfidRead& read : round.reads) {
+      read.tag = tokens.word();
+      read.rssi = tokens.number();
+      read.phase = tokens.number();
+    }
+    round.time = read_stamp(tokens);
+    if (!complete(tokens, "RFID")) return;
+    const auto mount = antenna ? antennas_.find(*antenna) : antennas_.end();
+    if (mount == antennas_.end() || !(round.frequency >= 0.0 && round.frequency <= 1e12))
+      return builder_.broken(line_, "RFID line of an antenna without an RFIDMOUNT line: left out");
+    round.antenna = *antenna;
+    round.robot_from_antenna = mount->second;
+    last_stamp_ = round.time;
+    builder_.add(std::move(round), line_);
+  }
+
   void read_true_pose(Tokens& tokens) {
     Stamped<Pose2> truth;
     truth.pose = read_pose(tokens);
@@ -266,6 +310,7 @@ class CarmenReader : public LogLineReader {
   std::optional<LastScan> last_scan_;  // that came with odometry
   std::set<std::string> known_kinds_;
   std::map<int, LaserMount> mounts_;
+  std::map<int, Mount> antennas_;
 };
 
 // Kinds of messages are words in capitals.

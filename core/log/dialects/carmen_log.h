@@ -24,8 +24,13 @@
 // What CARMEN's lines have no place for stands in lines of our own, which other readers skip:
 //
 //   LASERMOUNT laser z pitch roll beam_period ipc_stamp host logger_stamp
+//   RFIDMOUNT antenna x y theta z pitch roll ipc_stamp host logger_stamp
+//   RFID antenna frequency n tag rssi phase… ipc_stamp host logger_stamp
 //
-// of the laser that ROBOTLASER<laser> is of, for its scans that follow; all 0 until the first one.
+// LASERMOUNT is of the laser that ROBOTLASER<laser> is of, for its scans that follow; all 0 until
+// the first one. RFID is one inventory round of an antenna of an RFID reader, whose mount stands in
+// the RFIDMOUNT line before: frequency [Hz], 0 where it is not known; tags by names of one word,
+// RSSI [dBm] and phase [rad], "nan" where they are not known.
 
 namespace mapbed {
 

@@ -309,5 +309,53 @@ TEST(CarmenLog, TheOldDialectIsRefusedForGeometryThatItCannotSay) {
   }
 }
 
+constexpr const char* kRfid =
+    "RFIDMOUNT 2 0.1 0.2 0.75 1.1 -0.1 0.05 100 host 0\n"
+    "RFID 2 915000000 2 tag_7 -61.5 0.25 E2801160 nan nan 100.5 host 0\n"
+    "RFID 2 915000000 0 101 host 0\n";
+
+TEST(CarmenLog, AnRfidLineIsAnInventoryRoundWithTheMountSaidBefore) {
+  const RecordedLog log = parse_log("a.log", kRfid);
+  ASSERT_EQ(log.measurements.size(), 2u);
+  const auto& round = std::get<RfidDetections>(log.measurements[0]);
+  EXPECT_EQ(round.antenna, 1);
+  EXPECT_EQ(round.time, 100.5);
+  EXPECT_EQ(round.frequency, 915e6);
+  EXPECT_EQ(round.robot_from_antenna, (Mount{{0.1, 0.2, 0.75}, 1.1, -0.1, 0.05}));
+  ASSERT_EQ(round.reads.size(), 2u);
+  EXPECT_EQ(round.reads[0].tag, "tag_7");
+  EXPECT_EQ(round.reads[0].rssi, -61.5);
+  EXPECT_EQ(round.reads[0].phase, 0.25);
+  EXPECT_EQ(round.reads[1].tag, "E2801160");
+  EXPECT_FALSE(round.reads[1].has_rssi() || round.reads[1].has_phase());
+  EXPECT_TRUE(std::get<RfidDetections>(log.measurements[1]).reads.empty());
+}
+
+TEST(CarmenLog, RfidRoundsAreWrittenAsTheyAreRead) {
+  const RecordedLog log = parse_log("a.log", kRobotLaser + kRfid);
+  const std::string text = carmen_text(log);
+  EXPECT_EQ(carmen_text(parse_log("b.log", text)), text);
+  EXPECT_THAT(text, HasSubstr("\nRFID 2 915000000 2 tag_7 -61.5 0.25 E2801160 nan nan 100.5 "));
+  EXPECT_EQ(text.find("RFIDMOUNT"), text.rfind("RFIDMOUNT"));  // once
+}
+
+TEST(CarmenLog, RfidLinesThatAreNotWholeAreLeftOut) {
+  for (const char* line :
+       {"RFID 2 915e6 2 tag_7 -61.5 0.25 100.5 host 0", "RFID 2 915e6 1 tag_7 loud 0 100 host 0",
+        "RFID 3 915e6 0 100.5 host 0", "RFIDMOUNT 0 0 0 0 0 0 0 100 host 0",
+        "RFIDMOUNT 1 nan 0 0 0 0 0 100 host 0"}) {
+    const RecordedLog log = parse_log("a.log", kRobotLaser + kRfid + line + std::string("\n"));
+    EXPECT_EQ(log.measurements.size(), 4u) << line;
+    ASSERT_EQ(log.warnings.size(), 1u) << line;
+    EXPECT_THAT(to_string(log.warnings[0]), HasSubstr("left out")) << line;
+  }
+}
+
+TEST(CarmenLog, ATagWithoutANameOfOneWordIsNotWritten) {
+  RecordedLog log = parse_log("a.log", kRfid);
+  std::get<RfidDetections>(log.measurements[0]).reads[0].tag = "tag 7";
+  EXPECT_THROW(carmen_text(log), InputError);
+}
+
 }  // namespace
 }  // namespace mapbed

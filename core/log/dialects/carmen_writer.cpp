@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/file/text_file.h"
+#include "core/file/tokens.h"
 #include "core/geometry/angle.h"
 #include "core/log/dialects/carmen_log.h"
 #include "core/log/laser_geometry.h"
@@ -72,6 +73,25 @@ void write_odometry(Writer& out, const Odometry& odometry) {
   out.stamp(odometry.time);
 }
 
+void write_rfid_mount(Writer& out, const RfidDetections& round) {
+  const Mount& mount = round.robot_from_antenna;
+  out.print("RFIDMOUNT {}", round.antenna + 1);
+  out.pose(mount.planar);
+  out.print(" {} {} {}", mount.z, mount.pitch, mount.roll);
+  out.stamp(round.time);
+}
+
+void write_rfid(Writer& out, const RfidDetections& round) {
+  out.print("RFID {} {} {}", round.antenna + 1, round.frequency, round.reads.size());
+  for (const RfidRead& read : round.reads) {
+    if (read.tag.empty() || words_in(read.tag) != 1)
+      throw InputError({}, "a log cannot name the tag " + in_quotes(read.tag),
+                       "take names of one word");
+    out.print(" {} {} {}", read.tag, read.rssi, read.phase);
+  }
+  out.stamp(round.time);
+}
+
 void write_true_pose(Writer& out, const Stamped<Pose2>& truth, const Odometry& odometry) {
   out.print("TRUEPOS");
   out.pose(truth.pose);
@@ -121,9 +141,17 @@ class MountWriter {
     out_.stamp(scan.time);
   }
 
+  void write_if_new(const RfidDetections& round) {
+    const auto [known, is_new] = antennas_.try_emplace(round.antenna, round.robot_from_antenna);
+    if (!is_new && known->second == round.robot_from_antenna) return;
+    known->second = round.robot_from_antenna;
+    write_rfid_mount(out_, round);
+  }
+
  private:
   Writer& out_;
   std::map<int, std::array<double, 4>> last_of_laser_;  // all 0 at first
+  std::map<int, Mount> antennas_;
 };
 
 // All measurements and true poses by time; odometry right before a scan of its stamp is in the
@@ -140,6 +168,11 @@ void write_messages(Writer& out, const RecordedLog& log, WriteScan write_scan) {
     if (const auto* scan = std::get_if<LaserScan>(&log.measurements[i])) {
       mounts.write_if_new(*scan);
       write_scan(*scan, odometry);
+      continue;
+    }
+    if (const auto* round = std::get_if<RfidDetections>(&log.measurements[i])) {
+      mounts.write_if_new(*round);
+      write_rfid(out, *round);
       continue;
     }
     odometry = std::get<Odometry>(log.measurements[i]);
