@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "algorithms/association_tree.h"
+#include "algorithms/grid/occupancy_map.h"
 #include "algorithms/pose_graph/pose_graph.h"
 #include "algorithms/remark.h"
 #include "core/config/unit.h"
@@ -70,7 +72,8 @@ struct Hypotheses {
 
 // What a method may be told beforehand.
 struct Given {
-  std::optional<Pose2> start;  // map_from_robot at the first scan; else the map begins there
+  std::optional<Pose2> start = {};  // map_from_robot at the first scan; else the map begins there
+  std::shared_ptr<const OccupancyMap> map = {};  // of the place, for methods that make none
 };
 
 // The one interface behind which methods are exchanged: measurements in, belief out, at any time.
