@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "algorithms/association_tree.h"
+#include "algorithms/grid/occupancy_map.h"
 #include "algorithms/pose_graph/pose_graph.h"
 #include "algorithms/remark.h"
 #include "algorithms/tag_belief.h"
@@ -72,8 +74,9 @@ struct Hypotheses {
 
 // What a method may be told beforehand.
 struct Given {
-  std::vector<TagBelief> tags;  // where RFID tags are, in the frame of the map
-  std::optional<Pose2> start;   // map_from_robot at the first scan; else the map begins there
+  std::optional<Pose2> start = {};  // map_from_robot at the first scan; else the map begins there
+  std::shared_ptr<const OccupancyMap> map = {};  // of the place, for methods that make none
+  std::vector<TagBelief> tags = {};              // where RFID tags are, in the frame of that map
 };
 
 // The one interface behind which methods are exchanged: measurements in, belief out, at any time.
