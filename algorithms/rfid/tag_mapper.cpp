@@ -22,7 +22,7 @@ double side_of_square(const std::vector<DetectionTable>& tables, const TagMapper
 
 }  // namespace
 
-TagMapper::TagMapper(const RfidModel& model, const TagMapperOptions& options, const Rng& rng)
+TagMapper::TagMapper(const LearnedRfid& model, const TagMapperOptions& options, const Rng& rng)
     : options_(options), rng_(rng) {
   for (const AntennaModel& antenna : model) tables_.emplace_back(antenna);
   const bool knows = std::all_of(tables_.begin(), tables_.end(),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "algorithms/rfid/detection_table.h"
-#include "algorithms/rfid/rfid_model.h"
+#include "algorithms/rfid/learned_rfid.h"
 #include "algorithms/tag_belief.h"
 #include "core/config/option.h"
 #include "core/random.h"
@@ -43,7 +43,7 @@ void visit_fields(TagMapperOptions& o, Visitor&& visit) {
 class TagMapper {
  public:
   // Throws InputError where `options` ask for what the model did not learn.
-  TagMapper(const RfidModel& model, const TagMapperOptions& options, const Rng& rng);
+  TagMapper(const LearnedRfid& model, const TagMapperOptions& options, const Rng& rng);
 
   // In order of time. Throws InputError for an antenna that the model does not know.
   void add(const RfidDetections& round, const Pose2& map_from_robot);

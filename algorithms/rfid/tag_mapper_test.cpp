@@ -18,12 +18,12 @@ RfidDetections heard(std::vector<std::string> tags, double heading = 0.0) {
   return round;
 }
 
-const RfidModel kArc{PiecewiseAntenna{.opening = radians(91.0),
-                                      .range = 4.0,
-                                      .disc_radius = 0.5,
-                                      .arc_rate = 0.9,
-                                      .disc_rate = 0.9,
-                                      .elsewhere_rate = 0.05}};
+const LearnedRfid kArc{PiecewiseAntenna{.opening = radians(91.0),
+                                        .range = 4.0,
+                                        .disc_radius = 0.5,
+                                        .arc_rate = 0.9,
+                                        .disc_rate = 0.9,
+                                        .elsewhere_rate = 0.05}};
 
 // What every position gets, by hand: the product of (7.1).
 TEST(TagMapper, WeightsArePositionsUnderTheProductOfAllReadings) {

@@ -1,4 +1,4 @@
-#include "algorithms/rfid/rfid_model.h"
+#include "algorithms/rfid/learned_rfid.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,13 +17,13 @@ HistogramAntenna small_histogram() {
   return counted;
 }
 
-TEST(RfidModel, IsReadAsItIsWritten) {
+TEST(LearnedRfid, IsReadAsItIsWritten) {
   const TemporaryFolder folder;
   const std::string path = folder.file("model.yaml");
-  const RfidModel model{PiecewiseAntenna{.direction = 0.1, .range = 5.5, .caution = 1.0},
-                        small_histogram(), SmoothAntenna{.level = 12.5, .rssi_sigma = 2.5}};
+  const LearnedRfid model{PiecewiseAntenna{.direction = 0.1, .range = 5.5, .caution = 1.0},
+                          small_histogram(), SmoothAntenna{.level = 12.5, .rssi_sigma = 2.5}};
   write_text_file(path, to_yaml(model, "# learned\n"));
-  const RfidModel read = load_rfid_model(path);
+  const LearnedRfid read = load_learned_rfid(path);
   EXPECT_EQ(to_yaml(read, "# learned\n"), to_yaml(model, "# learned\n"));
   ASSERT_EQ(read.size(), 3u);
   EXPECT_EQ(kind_of(read[0]), "piecewise");
@@ -39,14 +39,14 @@ std::string message_of(const std::string& text) {
   const std::string path = folder.file("model.yaml");
   write_text_file(path, text);
   try {
-    (void)load_rfid_model(path);
+    (void)load_learned_rfid(path);
   } catch (const InputError& error) {
     return error.what();
   }
   return "nothing";
 }
 
-TEST(RfidModel, WhatIsWrongIsTold) {
+TEST(LearnedRfid, WhatIsWrongIsTold) {
   using ::testing::HasSubstr;
   EXPECT_THAT(message_of("antennas:\n  - {kind: smoth}\n"), HasSubstr("smooth"));
   EXPECT_THAT(message_of("antennas: []\n"), HasSubstr("without antennas"));
@@ -57,7 +57,7 @@ TEST(RfidModel, WhatIsWrongIsTold) {
   EXPECT_THAT(
       message_of("antennas:\n  - {kind: histogram, cells: 1, rounds: [1], detections: [2]}\n"),
       HasSubstr("more detections than rounds"));
-  EXPECT_THROW(load_rfid_model("nobody_learned_this"), InputError);
+  EXPECT_THROW(load_learned_rfid("nobody_learned_this"), InputError);
 }
 
 }  // namespace

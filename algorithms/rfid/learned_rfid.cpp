@@ -1,4 +1,4 @@
-#include "algorithms/rfid/rfid_model.h"
+#include "algorithms/rfid/learned_rfid.h"
 
 #include <utility>
 
@@ -56,9 +56,9 @@ std::string kind_of(const AntennaModel& antenna) {
   return kKinds[antenna.index()];
 }
 
-RfidModel load_rfid_model(const std::string& name_or_path) {
+LearnedRfid load_learned_rfid(const std::string& name_or_path) {
   const ConfigNode file = load_config(path_of(name_or_path));
-  RfidModel model;
+  LearnedRfid model;
   for (const ConfigNode& node : file.at("antennas").items()) model.push_back(antenna_in(node));
   if (model.empty()) {
     throw InputError(file.at("antennas").place(), "an RFID model without antennas",
@@ -68,11 +68,11 @@ RfidModel load_rfid_model(const std::string& name_or_path) {
   return model;
 }
 
-InputFile rfid_model_file(const std::string& name_or_path) {
+InputFile learned_rfid_file(const std::string& name_or_path) {
   return input_file(path_of(name_or_path));
 }
 
-std::string to_yaml(const RfidModel& model, const std::string& comment) {
+std::string to_yaml(const LearnedRfid& model, const std::string& comment) {
   std::string text = comment + "antennas:\n";
   for (const AntennaModel& antenna : model) {
     text += "  - kind: " + kind_of(antenna) + "\n";
