@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "algorithms/association_tree.h"
 #include "algorithms/grid/occupancy_map.h"
 #include "algorithms/pose_graph/pose_graph.h"
@@ -32,6 +34,8 @@ struct Estimate {
   // map_from_robot at the stamp of every scan that the method takes in, in order: methods in the
   // plane leave out lasers that are not level.
   Trajectory trajectory;
+  // Of methods that tell how sure they are: of each pose's x, y [m] and theta [rad] in the map.
+  std::vector<Eigen::Matrix3d> covariances = {};
   // Where the robot was lost: the poses then do not lie right to those before.
   std::vector<TimeInterval> lost = {};
   // Scans whose pose is the prediction alone: the match was not trustworthy.
@@ -77,6 +81,7 @@ struct Given {
   std::optional<Pose2> start = {};  // map_from_robot at the first scan; else the map begins there
   std::shared_ptr<const OccupancyMap> map = {};  // of the place, for methods that make none
   std::vector<TagBelief> tags = {};              // where RFID tags are, in the frame of that map
+  std::vector<Pose2> near = {};  // map_from_robot: it starts by one of these; empty: anywhere
 };
 
 // The one interface behind which methods are exchanged: measurements in, belief out, at any time.

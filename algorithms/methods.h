@@ -22,6 +22,7 @@ struct Method {
   bool labels_beams = false;    // its estimates have labels
   bool has_graph = false;       // they have a pose graph, and associations where it searches them
   bool needs_odometry = false;  // has nothing else to go by
+  bool needs_map = false;       // makes none: Given::map
 };
 
 const std::vector<Method>& methods();

@@ -21,11 +21,14 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 TEST(Methods, AreFoundByNameAndListTheirOptions) {
+  OccupancyMap map(1.0);
+  map.at({0, 0}) = known(0.0);
+  const Given given{.map = std::make_shared<OccupancyMap>(map)};
   for (const Method& method : methods()) {
     EXPECT_EQ(method_by_name(method.name).name, method.name);
     EXPECT_FALSE(method.about.empty()) << method.name;
     const ConfiguredMethod configured = method.configure({});
-    EXPECT_NE(configured.make({}, Rng(1)), nullptr) << method.name;
+    EXPECT_NE(configured.make(given, Rng(1)), nullptr) << method.name;
     EXPECT_FALSE(configured.complete_yaml.empty()) << method.name;
   }
 }

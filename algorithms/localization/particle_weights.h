@@ -28,6 +28,9 @@ class ParticleWeights {
   virtual void add_log_weights(std::span<const Pose2> map_from_robot,
                                std::span<double> log_weights) const = 0;
 
+  // So many independent readings it consists of: likelihoods are compared over time by their mean.
+  virtual double readings() const { return 1.0; }
+
   // A pose drawn from where the measurement may have been made, whatever was believed before: by
   // that, particles begin and come back. None: it may be anywhere.
   virtual std::optional<Pose2> propose(Rng& rng) const = 0;
@@ -36,5 +39,8 @@ class ParticleWeights {
   // that cannot tell.
   virtual std::optional<double> log_odds_of_map(const Pose2& map_from_robot) const = 0;
 };
+
+// One of the poses, drawn by how likely the measurement is from there. Not for an empty list.
+Pose2 drawn_by(const ParticleWeights& weights, std::span<const Pose2> map_from_robot, Rng& rng);
 
 }  // namespace mapbed

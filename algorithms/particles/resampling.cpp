@@ -31,17 +31,21 @@ double effective_number(const std::vector<double>& weights) {
 }
 
 std::vector<std::size_t> resampled(const std::vector<double>& weights, Rng& rng) {
-  CHECK(!weights.empty());
-  const std::size_t n = weights.size();
-  const double step = 1.0 / static_cast<double>(n);
+  return resampled(weights, weights.size(), rng);
+}
+
+std::vector<std::size_t> resampled(const std::vector<double>& weights, std::size_t count,
+                                   Rng& rng) {
+  CHECK(!weights.empty() && count > 0);
+  const double step = 1.0 / static_cast<double>(count);
   const double first = step * rng.uniform();
   std::vector<std::size_t> parents;
-  parents.reserve(n);
+  parents.reserve(count);
   std::size_t parent = 0;
   double sum = weights[0];
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const double at = first + static_cast<double>(i) * step;
-    while (at > sum && parent + 1 < n) sum += weights[++parent];
+    while (at > sum && parent + 1 < weights.size()) sum += weights[++parent];
     parents.push_back(parent);
   }
   return parents;

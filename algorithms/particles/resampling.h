@@ -21,7 +21,9 @@ std::vector<double> normalized(const std::vector<double>& log_weights);
 double effective_number(const std::vector<double>& weights);
 
 // Low-variance (systematic) resampling: which particle each of the new ones descends from, in
-// ascending order; a particle of weight w appears floor(n w) or ceil(n w) times.
+// ascending order; a particle of weight w appears floor(n w) or ceil(n w) times. As many new ones
+// as there are, or `count` > 0.
 std::vector<std::size_t> resampled(const std::vector<double>& weights, Rng& rng);
+std::vector<std::size_t> resampled(const std::vector<double>& weights, std::size_t count, Rng& rng);
 
 }  // namespace mapbed

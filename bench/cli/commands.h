@@ -18,6 +18,7 @@ Command fetch_command();
 Command graph_command();
 Command list_command();
 Command describe_command();
+Command localize_command();
 Command map_command();
 Command render_command();
 Command report_command();

@@ -14,6 +14,7 @@
 #include "bench/cli/map_run.h"
 #include "bench/cli/output_folder.h"
 #include "bench/cli/progress.h"
+#include "bench/cli/told_log.h"
 #include "bench/process/folder_lock.h"
 #include "bench/process/foreign_files.h"
 #include "bench/process/process_cost.h"
@@ -58,15 +59,6 @@ Settings settings_from(const MapArguments& arguments) {
   return settings;
 }
 
-// "intel.clf.gz" -> "intel", "run.1.log" -> "run.1"
-std::string name_of_log(const std::string& path) {
-  fs::path file = fs::path(path).has_filename() ? fs::path(path) : fs::path(path).parent_path();
-  file = file.filename();
-  if (file.extension() == ".gz") file = file.stem();
-  const std::string name = file.stem().string();
-  return name.empty() ? "log" : name;
-}
-
 // The one asked for, or else one that is called as the log; then it may hold no other log's map.
 std::string folder_for(const MapArguments& arguments) {
   if (!arguments.folder.empty()) return arguments.folder;
@@ -84,22 +76,6 @@ void check_folder(const std::string& folder, const MapConfig& config) {
   const FolderLock lock(folder);
   finish_publication(folder);  // of a program that was killed
   refuse_foreign_map_files(folder, config);
-}
-
-void print_log(const std::string& path, const RecordedLog& log, double seconds) {
-  int scans = 0;
-  int readings = 0;
-  for (const Measurement& measurement : log.measurements) {
-    if (std::holds_alternative<LaserScan>(measurement)) ++scans;
-    if (std::holds_alternative<Odometry>(measurement)) ++readings;
-  }
-  fmt::print("{}: {}, {} scans, {} odometry readings, {:.1f} s recorded; read in {:.2f} s\n", path,
-             log.format, scans, readings,
-             time_of(log.measurements.back()) - time_of(log.measurements.front()), seconds);
-  for (const RecordedLaser& laser : log.lasers) fmt::print("{}\n", to_string(laser));
-  for (const LogWarning& warning : log.warnings) {
-    fmt::print(stderr, "warning: {}\n", to_string(warning));
-  }
 }
 
 void print_result(const MapRun& run, const std::string& folder, double total) {
@@ -126,6 +102,12 @@ void print_result(const MapRun& run, const std::string& folder, double total) {
 void refuse_missing_scans(const std::string& path, const SensorLog& log) {
   if (has_scans(log)) return;
   throw InputError({path}, "holds no laser scan", "maps are made of scans");
+}
+
+void refuse_needed_map(const ChosenMethod& method) {
+  if (!method.needs_map) return;
+  throw InputError({}, "the method " + method.name + " makes no map, it needs one",
+                   "use 'mapbed localize LOG --map MAP.yaml', or choose another method");
 }
 
 void refuse_missing_odometry(const std::string& path, const SensorLog& log,
@@ -171,7 +153,8 @@ int map_log(const MapArguments& arguments) {
   const ThreadLimit threads(arguments.threads);
   const Stopwatch stopwatch;
   const Settings settings = settings_from(arguments);
-  map_config_from(settings);  // wrong options are told before a log is looked for
+  // Wrong options are told before a log is looked for.
+  refuse_needed_map(map_config_from(settings).chosen);
   const ChosenLog chosen = chosen_log(arguments.log);
   const MapConfig config = map_config_from(settings, {.log = chosen.options});
   const std::string folder = folder_for(arguments);

@@ -15,9 +15,9 @@ int run_program(int argc, const char* const* argv) {
           "'mapbed describe NAME' every option of it, 'mapbed describe FILE' what a file holds.\n"
           "Exit status: 0 done, 1 wrong input, 2 claims not held (--strict), 3 interrupted.",
       .version = version_text,
-      .commands = {run_command(), map_command(), graph_command(), evaluate_command(),
-                   render_command(), report_command(), list_command(), describe_command(),
-                   simulate_command(), fetch_command()}};
+      .commands = {run_command(), map_command(), localize_command(), graph_command(),
+                   evaluate_command(), render_command(), report_command(), list_command(),
+                   describe_command(), simulate_command(), fetch_command()}};
   return run_command_line(line, argc, argv);
 }
 

@@ -46,7 +46,8 @@ ChosenMethod choose_method(const std::string& name_or_path, const Settings& sett
             .what = std::move(method),
             .labels_beams = ours.labels_beams,
             .has_graph = ours.has_graph,
-            .needs_odometry = ours.needs_odometry};
+            .needs_odometry = ours.needs_odometry,
+            .needs_map = ours.needs_map};
   }
   ProgramMethod program = load_program_method(name_or_path, settings);
   return {program.name, program.about, program.complete_yaml(), program.input_files,

@@ -21,6 +21,7 @@ struct ChosenMethod {
   bool labels_beams = false;     // its estimates have labels
   bool has_graph = false;        // they have a pose graph
   bool needs_odometry = false;   // has nothing else to go by
+  bool needs_map = false;        // makes none
   std::string filter = {};       // the people filter in front of it; empty: none
   std::string filter_yaml = {};  // its options
 

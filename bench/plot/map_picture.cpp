@@ -106,13 +106,19 @@ Rgb color_of_path(std::size_t path, const DrawnPoints& points) {
   return categorical_color(static_cast<int>(path) + (points.points.empty() ? 1 : 2));
 }
 
+bool is_left_out(const DrawnPath& path, double time) {
+  return std::any_of(path.left_out.begin(), path.left_out.end(), [time](const TimeInterval& when) {
+    return time >= when.from && time <= when.to;
+  });
+}
+
 // Where the path leaves what is shown, it breaks off.
 void draw_path(RgbImage& image, const DrawnPath& path, const Rgb& color, double width,
                const OccupancyMap& map, const Layout& layout, const Reach& reach) {
   const Pen pen{.color = color, .width = width, .opacity = 0.9};
   std::vector<std::vector<Eigen::Vector2d>> pieces(1);
   for (const Stamped<Pose2>& stamped : path.map_from_robot) {
-    if (reach.shows(stamped.pose.position())) {
+    if (reach.shows(stamped.pose.position()) && !is_left_out(path, stamped.time)) {
       pieces.back().push_back(pixel_of(stamped.pose.position(), map, layout));
     } else if (!pieces.back().empty()) {
       pieces.emplace_back();

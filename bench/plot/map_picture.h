@@ -12,12 +12,14 @@
 #include "core/image/image.h"
 #include "core/labels/beam_labels.h"
 #include "core/labels/tracks.h"
+#include "core/time_interval.h"
 
 namespace mapbed {
 
 struct DrawnPath {
   std::string name;  // in the legend
   Trajectory map_from_robot;
+  std::vector<TimeInterval> left_out = {};  // of the log; there the line breaks off
 };
 
 // Places that no map shows: where beams met what moves.

@@ -1,0 +1,209 @@
+#include "algorithms/localization/monte_carlo_localizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "algorithms/particles/resampling.h"
+#include "core/check.h"
+#include "core/geometry/angle.h"
+
+namespace mapbed {
+namespace {
+
+constexpr std::size_t kTried = 32;  // poses, of which one is drawn by a measurement
+
+Pose2 drawn_about(const Pose2& pose, double sigma, double turn_sigma, Rng& rng) {
+  const double x = rng.normal(pose.x, sigma);
+  const double y = rng.normal(pose.y, sigma);
+  return {x, y, normalized_angle(rng.normal(pose.theta, turn_sigma))};
+}
+
+}  // namespace
+
+MonteCarloLocalizer::MonteCarloLocalizer(const MonteCarloOptions& options, const FreeSpace& space,
+                                         AllWeights weights, std::optional<Pose2> start,
+                                         const Rng& rng)
+    : options_(options),
+      space_(space),
+      weights_(std::move(weights)),
+      likelihoods_(weights_.size(), LikelihoodMeans(options.recovery)),
+      start_(std::move(start)),
+      rng_(rng),
+      place_(start_ ? options.confidence : 0.5) {
+  CHECK(!space.empty() && !weights_.empty());
+}
+
+void MonteCarloLocalizer::add(const Measurement& measurement, std::span<const float> beam_weights) {
+  if (const auto* odometry = std::get_if<Odometry>(&measurement)) odometry_.add(*odometry);
+  const auto* scan = std::get_if<LaserScan>(&measurement);
+  if (scan != nullptr && !lasers_.take(*scan)) return;
+  const double time = time_of(measurement);
+  for (std::size_t sensor = 0; sensor < weights_.size(); ++sensor) {
+    ParticleWeights& weights = *weights_[sensor];
+    if (!is_due(weights, time) || !weights.take(measurement, beam_weights)) continue;
+    const bool has_moved = !poses_.empty();
+    if (has_moved) move_until(time);
+    const bool is_drawn_by_it = !has_moved && begin(weights);
+    updated_ = time;
+    odometry_at_update_ = odometry_.at(time);
+    weigh(sensor, is_drawn_by_it);
+    ++updates_;
+  }
+  if (scan == nullptr) return;
+  trajectory_.push_back({time, pose_at(time)});
+  covariances_.push_back(answer_.covariance);
+  known_.add(time, state());
+}
+
+// Whether the robot has moved enough for a sensor that repeats itself.
+bool MonteCarloLocalizer::is_due(const ParticleWeights& weights, double time) const {
+  if (poses_.empty() || !weights.repeats_at_rest()) return true;
+  if (time - updated_ >= options_.update_time) return true;
+  const std::optional<Pose2> motion = motion_until(time);
+  if (!motion) return true;
+  return std::hypot(motion->x, motion->y) >= options_.update_distance ||
+         std::abs(motion->theta) >= options_.update_turn;
+}
+
+std::optional<Pose2> MonteCarloLocalizer::motion_until(double time) const {
+  if (options_.motion != ParticleMotion::odometry || !odometry_at_update_) return {};
+  const std::optional<Pose2> odometry = odometry_.at(time);
+  if (!odometry) return {};
+  return motion_between(*odometry_at_update_, *odometry);
+}
+
+// Fox's way: so many are drawn as the boxes that they come to lie in ask for. True: where the
+// measurement may be from, so that it has had its say.
+bool MonteCarloLocalizer::begin(const ParticleWeights& weights) {
+  Rng rng = rng_.stream("start");
+  bool by_sensor = false;
+  const auto drawn = [&] {
+    if (start_) return drawn_about(*start_, options_.start_sigma, options_.start_turn_sigma, rng);
+    const std::optional<Pose2> proposed =
+        options_.start_by_sensor ? weights.propose(rng) : std::optional<Pose2>{};
+    by_sensor = proposed.has_value();
+    return proposed ? *proposed : space_.sample(rng);
+  };
+  for (std::size_t wanted = 1; poses_.size() < wanted;) {
+    while (poses_.size() < wanted) poses_.push_back(drawn());
+    wanted = particle_number(occupied_bins(poses_, options_.bins), options_.particles);
+  }
+  log_weights_.assign(poses_.size(), 0.0);
+  return by_sensor;
+}
+
+void MonteCarloLocalizer::move_until(double time) {
+  const Rng streams = rng_.stream("motion", static_cast<std::uint64_t>(updates_));
+  if (const std::optional<Pose2> motion = motion_until(time)) {
+    move_particles(poses_, *motion, options_.odometry, streams);
+  } else {
+    move_particles(poses_, time - updated_, options_.random_step, streams);
+    if (options_.motion == ParticleMotion::odometry) ++without_odometry_;
+  }
+}
+
+// The correction of (7.3), and what follows from it.
+void MonteCarloLocalizer::weigh(std::size_t sensor, bool is_drawn_by_it) {
+  const ParticleWeights& weights = *weights_[sensor];
+  const std::vector<double> before = normalized(log_weights_);
+  std::vector<double> likelihoods(poses_.size(), 0.0);
+  weights.add_log_weights(poses_, likelihoods);
+  double mean = 0.0;
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    mean += before[i] * std::exp(likelihoods[i]);
+    if (!is_drawn_by_it) log_weights_[i] += likelihoods[i];
+  }
+  likelihoods_[sensor].add(std::pow(mean, 1.0 / weights.readings()));
+  const std::vector<double> after = normalized(log_weights_);
+  answer_ = answer_of(poses_, after, options_.bins);
+  const bool is_narrow = answer_.largest_sigma() <= options_.known_sigma;
+  const std::optional<double> odds = weights.log_odds_of_map(answer_.mean);
+  if (odds) place_.add(is_narrow ? *odds : 0.0);
+  draw_anew(sensor);
+}
+
+void MonteCarloLocalizer::draw_anew(std::size_t sensor) {
+  const std::vector<double> weights = normalized(log_weights_);
+  const double doubt = std::max(0.0, 1.0 - 2.0 * place_.probability());
+  const double fraction =
+      std::max(likelihoods_[sensor].fraction_to_draw(), doubt * options_.recovery.most);
+  const double least = options_.resample_below * static_cast<double>(poses_.size());
+  if (fraction == 0.0 && effective_number(weights) >= least) return;
+
+  Rng rng = rng_.stream("drawing", static_cast<std::uint64_t>(updates_));
+  const auto drawn = [&](std::size_t count) {
+    std::vector<Pose2> poses;
+    for (const std::size_t parent : resampled(weights, count, rng)) {
+      poses.push_back(poses_[parent]);
+    }
+    return poses;
+  };
+  std::vector<Pose2> next = drawn(poses_.size());
+  const std::size_t bins = occupied_bins(next, options_.bins);
+  const std::size_t number = particle_number(bins, options_.particles);
+  if (number != next.size()) next = drawn(number);
+  const auto fresh = static_cast<std::size_t>(fraction * static_cast<double>(next.size()));
+  for (std::size_t i = 0; i < fresh; ++i) {
+    // Spread over the old ones, which stand by their ancestors.
+    Pose2& pose = next[i * next.size() / fresh];
+    pose = i % 2 == 0 ? drawn_near(pose, *weights_[sensor], rng)
+                      : drawn_anywhere(*weights_[sensor], rng);
+  }
+  poses_ = std::move(next);
+  log_weights_.assign(poses_.size(), 0.0);
+}
+
+Pose2 MonteCarloLocalizer::drawn_anywhere(const ParticleWeights& weights, Rng& rng) const {
+  const std::optional<Pose2> proposed = weights.propose(rng);
+  return proposed ? *proposed : space_.sample(rng);
+}
+
+Pose2 MonteCarloLocalizer::drawn_near(const Pose2& pose, const ParticleWeights& weights,
+                                      Rng& rng) const {
+  std::vector<Pose2> tried;
+  for (std::size_t i = 0; i < kTried; ++i) {
+    tried.push_back(drawn_about(pose, options_.recovery.sigma, options_.recovery.turn_sigma, rng));
+  }
+  return drawn_by(weights, tried, rng);
+}
+
+Unknown MonteCarloLocalizer::state() const {
+  if (poses_.empty()) return Unknown::several;
+  const bool is_one =
+      answer_.weight >= options_.confidence && answer_.largest_sigma() <= options_.known_sigma;
+  const double place = place_.probability();
+  if (is_one && place >= options_.confidence) return Unknown::none;
+  return is_one || place < 0.5 ? Unknown::nowhere : Unknown::several;
+}
+
+Pose2 MonteCarloLocalizer::pose_at(double time) const {
+  if (poses_.empty()) return start_.value_or(Pose2{});
+  return answer_.mean * motion_until(time).value_or(Pose2{});
+}
+
+Pose2 MonteCarloLocalizer::pose() const {
+  return trajectory_.empty() ? start_.value_or(Pose2{}) : pose_at(trajectory_.back().time);
+}
+
+Estimate MonteCarloLocalizer::estimate() const {
+  Estimate result{.trajectory = trajectory_,
+                  .covariances = covariances_,
+                  .lost = known_.lost(),
+                  .remarks = lasers_.remarks()};
+  if (trajectory_.empty()) return result;
+  if (without_odometry_ > 0) {
+    result.remarks.push_back({RemarkKind::no_odometry,
+                              fmt::format("no odometry before {} updates: particles were moved by "
+                                          "random steps",
+                                          without_odometry_)});
+  }
+  for (Remark& remark : known_.remarks(trajectory_.front().time)) {
+    result.remarks.push_back(std::move(remark));
+  }
+  return result;
+}
+
+}  // namespace mapbed

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "algorithms/estimator.h"
+#include "algorithms/localization/free_space.h"
+#include "algorithms/localization/known_times.h"
+#include "algorithms/localization/monte_carlo_options.h"
+#include "algorithms/localization/particle_weights.h"
+#include "algorithms/localization/pose_answer.h"
+#include "algorithms/motion/odometry_track.h"
+#include "algorithms/scan/level_lasers.h"
+#include "core/random.h"
+
+namespace mapbed {
+
+// Monte Carlo localisation in a map that is given, section 7.4, (7.3): particles move by odometry,
+// are weighted by what sensors say, and are drawn anew where few of them count, as many as the
+// belief needs. Where measurements get unlikely some are drawn from what these say by themselves,
+// so that a robot that was carried away, or begins anywhere, is found.
+//
+// The answer is the mean of the particles about the place that most of the belief is about. It
+// counts as known where nearly all of the belief is there, narrow enough, and the measurements fit
+// the map there; elsewhere the estimate is lost, and says so. Poses are those of the time: later
+// measurements do not correct them.
+class MonteCarloLocalizer : public Estimator {
+ public:
+  using AllWeights = std::vector<std::unique_ptr<ParticleWeights>>;
+
+  // Begins about `start`, map_from_robot, or else anywhere in the space.
+  MonteCarloLocalizer(const MonteCarloOptions& options, const FreeSpace& space, AllWeights weights,
+                      std::optional<Pose2> start, const Rng& rng);
+
+  void add(const Measurement& measurement, std::span<const float> beam_weights = {}) override;
+  Pose2 pose() const override;
+  Estimate estimate() const override;
+
+  const std::vector<Pose2>& particles() const { return poses_; }  // map_from_robot
+  bool is_known() const { return state() == Unknown::none; }
+
+ private:
+  bool is_due(const ParticleWeights& weights, double time) const;
+  std::optional<Pose2> motion_until(double time) const;  // since the last update
+  Pose2 pose_at(double time) const;
+  Unknown state() const;
+  bool begin(const ParticleWeights& weights);
+  void move_until(double time);
+  void weigh(std::size_t sensor, bool is_drawn_by_it);
+  void draw_anew(std::size_t sensor);
+  Pose2 drawn_anywhere(const ParticleWeights& weights, Rng& rng) const;
+  Pose2 drawn_near(const Pose2& pose, const ParticleWeights& weights, Rng& rng) const;
+
+  MonteCarloOptions options_;
+  FreeSpace space_;
+  AllWeights weights_;
+  std::vector<LikelihoodMeans> likelihoods_;  // by sensor
+  std::optional<Pose2> start_;
+  Rng rng_;
+  LevelLasers lasers_;
+  OdometryTrack odometry_;
+
+  std::vector<Pose2> poses_;  // map_from_robot at the last update; empty: nothing was seen yet
+  std::vector<double> log_weights_;
+  int updates_ = 0;
+  double updated_ = 0.0;                     // [s]
+  std::optional<Pose2> odometry_at_update_;  // odometry_from_robot
+  PoseAnswer answer_;
+  PlaceBelief place_;  // a start that is told counts as known until scans contradict
+
+  Trajectory trajectory_;
+  std::vector<Eigen::Matrix3d> covariances_;
+  KnownTimes known_;
+  int without_odometry_ = 0;  // updates
+};
+
+}  // namespace mapbed

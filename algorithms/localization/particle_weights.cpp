@@ -1,0 +1,19 @@
+#include "algorithms/localization/particle_weights.h"
+
+#include <vector>
+
+#include "algorithms/particles/resampling.h"
+
+namespace mapbed {
+
+Pose2 drawn_by(const ParticleWeights& weights, std::span<const Pose2> map_from_robot, Rng& rng) {
+  std::vector<double> logs(map_from_robot.size(), 0.0);
+  weights.add_log_weights(map_from_robot, logs);
+  const std::vector<double> fractions = normalized(logs);
+  double rest = rng.uniform();
+  std::size_t chosen = 0;
+  while (chosen + 1 < fractions.size() && rest >= fractions[chosen]) rest -= fractions[chosen++];
+  return map_from_robot[chosen];
+}
+
+}  // namespace mapbed
