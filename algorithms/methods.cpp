@@ -4,7 +4,7 @@
 
 #include "algorithms/dynamic_em/dynamic_em.h"
 #include "algorithms/lazy_association/lazy_slam.h"
-#include "algorithms/localization/monte_carlo_localizer.h"
+#include "algorithms/localization_method.h"
 #include "algorithms/motion/motion_learning.h"
 #include "algorithms/odometry_estimator.h"
 #include "algorithms/rbpf/grid_slam.h"
@@ -137,45 +137,6 @@ Method em_method() {
 Method with_graph(Method method) {
   method.has_graph = true;
   return method;
-}
-
-// Throws InputError where there is no map, or nowhere on it to be.
-std::unique_ptr<Estimator> make_localizer(const MonteCarloOptions& options, const Given& given,
-                                          const Rng& rng) {
-  if (given.map == nullptr) {
-    throw InputError(
-        {}, "localization finds a robot in a map, and was given none",
-        "use 'mapbed localize LOG --map MAP.yaml', or choose a method that makes maps");
-  }
-  FreeSpace space(given.map);
-  if (!given.near.empty()) space = space.near(given.near, options.start_near);
-  if (space.empty()) {
-    throw InputError({},
-                     given.near.empty()
-                         ? "nothing of the map is free, so that no robot can be there"
-                         : "nothing of the map is free near the path that was told",
-                     "take another map, or look at its thresholds and 'negate'");
-  }
-  MonteCarloLocalizer::AllWeights weights;
-  weights.push_back(std::make_unique<LaserWeights>(options.laser, space, rng.stream("laser")));
-  return std::make_unique<MonteCarloLocalizer>(options, space, std::move(weights), given.start,
-                                               rng.stream("particles"));
-}
-
-Method localization_method() {
-  const std::string name = "localization";
-  return {.name = name,
-          .about = "Monte Carlo localisation in a map that is given, section 7.4",
-          .configure = [name](const Settings& settings) -> ConfiguredMethod {
-            MonteCarloOptions options;
-            apply(with_learned_models(settings), options_of(options), name);
-            return {to_yaml(options_of(options)),
-                    [options](const Given& given, Rng rng) {
-                      return make_localizer(options, given, rng);
-                    },
-                    learned_model_files(settings)};
-          },
-          .needs_map = true};
 }
 
 Method odometry_method() {

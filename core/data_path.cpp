@@ -46,7 +46,7 @@ fs::path path_below(const fs::path& folder, const fs::path& path) {
 // alone.
 bool is_shipped(const fs::path& below_home) {
   for (const char* folder : {"algorithms/motion/motion_models", "algorithms/people/people_models",
-                             "robots", "scenarios", "worlds"}) {
+                             "algorithms/rfid/rfid_models", "robots", "scenarios", "worlds"}) {
     const fs::path inner = below_home.lexically_relative(folder);
     if (!inner.empty() && *inner.begin() != "..") return true;
   }

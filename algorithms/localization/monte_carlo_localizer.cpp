@@ -30,6 +30,7 @@ MonteCarloLocalizer::MonteCarloLocalizer(const MonteCarloOptions& options, const
       space_(space),
       weights_(std::move(weights)),
       likelihoods_(weights_.size(), LikelihoodMeans(options.recovery)),
+      taken_(weights_.size()),
       start_(std::move(start)),
       rng_(rng),
       place_(start_ ? options.confidence : 0.5) {
@@ -43,36 +44,53 @@ void MonteCarloLocalizer::add(const Measurement& measurement, std::span<const fl
   const double time = time_of(measurement);
   for (std::size_t sensor = 0; sensor < weights_.size(); ++sensor) {
     ParticleWeights& weights = *weights_[sensor];
-    if (!is_due(weights, time) || !weights.take(measurement, beam_weights)) continue;
+    if (!is_due(sensor, time) || !weights.take(measurement, beam_weights)) continue;
     const bool has_moved = !poses_.empty();
     if (has_moved) move_until(time);
     const bool is_drawn_by_it = !has_moved && begin(weights);
     updated_ = time;
     odometry_at_update_ = odometry_.at(time);
+    taken_[sensor] = {time, odometry_at_update_};
     weigh(sensor, is_drawn_by_it);
     ++updates_;
   }
-  if (scan == nullptr) return;
-  trajectory_.push_back({time, pose_at(time)});
-  covariances_.push_back(answer_.covariance);
-  known_.add(time, state());
+  if (scan != nullptr) tell_pose(time, of_scans_);
+  if (std::holds_alternative<RfidDetections>(measurement)) tell_pose(time, of_rounds_);
+}
+
+void MonteCarloLocalizer::tell_pose(double time, Told& told) const {
+  told.trajectory.push_back({time, pose_at(time)});
+  told.covariances.push_back(answer_.covariance);
+  told.known.add(time, state());
+}
+
+// Of a log without scans its inventory rounds have poses.
+const MonteCarloLocalizer::Told& MonteCarloLocalizer::told() const {
+  return of_scans_.trajectory.empty() ? of_rounds_ : of_scans_;
 }
 
 // Whether the robot has moved enough for a sensor that repeats itself.
-bool MonteCarloLocalizer::is_due(const ParticleWeights& weights, double time) const {
-  if (poses_.empty() || !weights.repeats_at_rest()) return true;
-  if (time - updated_ >= options_.update_time) return true;
-  const std::optional<Pose2> motion = motion_until(time);
+bool MonteCarloLocalizer::is_due(std::size_t sensor, double time) const {
+  const std::optional<Taken>& last = taken_[sensor];
+  if (poses_.empty() || !last || !weights_[sensor]->repeats_at_rest()) return true;
+  if (time - last->time >= options_.update_time) return true;
+  const std::optional<Pose2> motion = motion_between_times(last->odometry, time);
   if (!motion) return true;
   return std::hypot(motion->x, motion->y) >= options_.update_distance ||
          std::abs(motion->theta) >= options_.update_turn;
 }
 
 std::optional<Pose2> MonteCarloLocalizer::motion_until(double time) const {
-  if (options_.motion != ParticleMotion::odometry || !odometry_at_update_) return {};
+  return motion_between_times(odometry_at_update_, time);
+}
+
+// By odometry, from where it was `then`.
+std::optional<Pose2> MonteCarloLocalizer::motion_between_times(const std::optional<Pose2>& then,
+                                                               double time) const {
+  if (options_.motion != ParticleMotion::odometry || !then) return {};
   const std::optional<Pose2> odometry = odometry_.at(time);
   if (!odometry) return {};
-  return motion_between(*odometry_at_update_, *odometry);
+  return motion_between(*then, *odometry);
 }
 
 // Fox's way: so many are drawn as the boxes that they come to lie in ask for. True: where the
@@ -185,22 +203,24 @@ Pose2 MonteCarloLocalizer::pose_at(double time) const {
 }
 
 Pose2 MonteCarloLocalizer::pose() const {
-  return trajectory_.empty() ? start_.value_or(Pose2{}) : pose_at(trajectory_.back().time);
+  const Trajectory& trajectory = told().trajectory;
+  return trajectory.empty() ? start_.value_or(Pose2{}) : pose_at(trajectory.back().time);
 }
 
 Estimate MonteCarloLocalizer::estimate() const {
-  Estimate result{.trajectory = trajectory_,
-                  .covariances = covariances_,
-                  .lost = known_.lost(),
+  const Told& told = this->told();
+  Estimate result{.trajectory = told.trajectory,
+                  .covariances = told.covariances,
+                  .lost = told.known.lost(),
                   .remarks = lasers_.remarks()};
-  if (trajectory_.empty()) return result;
+  if (told.trajectory.empty()) return result;
   if (without_odometry_ > 0) {
     result.remarks.push_back({RemarkKind::no_odometry,
                               fmt::format("no odometry before {} updates: particles were moved by "
                                           "random steps",
                                           without_odometry_)});
   }
-  for (Remark& remark : known_.remarks(trajectory_.front().time)) {
+  for (Remark& remark : told.known.remarks(told.trajectory.front().time)) {
     result.remarks.push_back(std::move(remark));
   }
   return result;

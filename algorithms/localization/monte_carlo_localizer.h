@@ -41,7 +41,24 @@ class MonteCarloLocalizer : public Estimator {
   bool is_known() const { return state() == Unknown::none; }
 
  private:
-  bool is_due(const ParticleWeights& weights, double time) const;
+  // When a sensor weighted the particles the last time.
+  struct Taken {
+    double time = 0.0;              // [s]
+    std::optional<Pose2> odometry;  // odometry_from_robot then
+  };
+
+  // Poses at the stamps of one kind of measurement.
+  struct Told {
+    Trajectory trajectory;
+    std::vector<Eigen::Matrix3d> covariances;
+    KnownTimes known;
+  };
+
+  void tell_pose(double time, Told& told) const;
+  const Told& told() const;
+  bool is_due(std::size_t sensor, double time) const;
+  std::optional<Pose2> motion_between_times(const std::optional<Pose2>& odometry,
+                                            double time) const;
   std::optional<Pose2> motion_until(double time) const;  // since the last update
   Pose2 pose_at(double time) const;
   Unknown state() const;
@@ -56,6 +73,7 @@ class MonteCarloLocalizer : public Estimator {
   FreeSpace space_;
   AllWeights weights_;
   std::vector<LikelihoodMeans> likelihoods_;  // by sensor
+  std::vector<std::optional<Taken>> taken_;   // by sensor
   std::optional<Pose2> start_;
   Rng rng_;
   LevelLasers lasers_;
@@ -69,9 +87,7 @@ class MonteCarloLocalizer : public Estimator {
   PoseAnswer answer_;
   PlaceBelief place_;  // a start that is told counts as known until scans contradict
 
-  Trajectory trajectory_;
-  std::vector<Eigen::Matrix3d> covariances_;
-  KnownTimes known_;
+  Told of_scans_, of_rounds_;
   int without_odometry_ = 0;  // updates
 };
 
