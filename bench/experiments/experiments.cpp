@@ -4,6 +4,7 @@
 #include "bench/experiments/known_poses.h"
 #include "bench/experiments/laser_readings.h"
 #include "bench/experiments/learned_people.h"
+#include "bench/experiments/localization.h"
 #include "bench/experiments/log_faults.h"
 #include "bench/experiments/matching_basin.h"
 #include "bench/experiments/motion_models.h"
@@ -19,7 +20,7 @@ const std::vector<Experiment>& experiments() {
       slam_experiment(),           odds_vs_counting_experiment(), known_poses_experiment(),
       end_points_experiment(),     matching_basin_experiment(),   motion_models_experiment(),
       laser_readings_experiment(), log_faults_experiment(),       learned_people_experiment(),
-      false_loops_experiment(),
+      false_loops_experiment(),    localization_experiment(),
   };
   return table;
 }

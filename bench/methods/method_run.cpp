@@ -8,7 +8,7 @@ namespace {
 
 MethodRun run_ours(const ConfiguredMethod& method, const MethodInput& input,
                    const MethodWatch& watch) {
-  const auto estimator = method.make({}, input.rng);
+  const auto estimator = method.make(input.given, input.rng);
   const Stopwatch stopwatch;
   const double start = processor_time();
   for (const Measurement& measurement : input.prepared) {

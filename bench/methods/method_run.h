@@ -15,6 +15,7 @@ struct MethodInput {
   Rng rng;                       // a method's of ours
   std::uint64_t seed = 0;        // a program's
   GoesOn goes_on = {};           // asked while a program runs
+  Given given = {};              // to a method of ours
 };
 
 // Looks at a method of ours at work; a program shows nothing before it is done.
