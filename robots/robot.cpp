@@ -97,13 +97,27 @@ double RobotFootprint::inner_radius() const {
   return radius > 0.0 ? radius : std::min(length, width) / 2.0;
 }
 
-std::vector<MountedLaser> lasers_of(const Robot& robot) {
-  std::vector<MountedLaser> lasers;
+namespace {
+
+// All sensors of one model, as `Mounted` has them.
+template <class Mounted, class Model>
+std::vector<Mounted> sensors_with(const Robot& robot) {
+  std::vector<Mounted> result;
   for (const MountedSensor& sensor : robot.sensors) {
-    const auto* model = std::get_if<LaserModel>(&sensor.model);
-    if (model != nullptr) lasers.push_back({sensor.robot_from_sensor, *model});
+    const auto* model = std::get_if<Model>(&sensor.model);
+    if (model != nullptr) result.push_back({sensor.robot_from_sensor, *model});
   }
-  return lasers;
+  return result;
+}
+
+}  // namespace
+
+std::vector<MountedLaser> lasers_of(const Robot& robot) {
+  return sensors_with<MountedLaser, LaserModel>(robot);
+}
+
+std::vector<MountedAntenna> antennas_of(const Robot& robot) {
+  return sensors_with<MountedAntenna, RfidModel>(robot);
 }
 
 Robot load_robot(const std::string& name_or_path) {

@@ -53,6 +53,14 @@ struct MountedLaser {
 // In the order of the robot's file, as LaserScan::laser counts them: 0 front, 1 rear, …
 std::vector<MountedLaser> lasers_of(const Robot& robot);
 
+// An antenna of a robot's RFID reader, likewise.
+struct MountedAntenna {
+  Mount robot_from_antenna{.planar = {}, .z = 0.4};
+  RfidModel model;
+};
+// In the order of the robot's file, as RfidDetections::antenna counts them.
+std::vector<MountedAntenna> antennas_of(const Robot& robot);
+
 template <class Visitor>
 void visit_fields(RobotFootprint& o, Visitor&& visit) {
   visit("radius", o.radius, Unit::meter, between(0.0, 100.0), "of a round robot; 0: a box");

@@ -48,6 +48,13 @@ void check(const LaserModel& laser, const SourceLocation& place) {
   }
 }
 
+void check(const RfidModel& rfid, const SourceLocation& place) {
+  if (rfid.noise.ghosts > 0.1 * rfid.slots) {
+    throw InputError(place, "there are more ghosts than slots for them",
+                     "lower noise.ghosts, or raise slots");
+  }
+}
+
 template <class Model>
 SensorModel model_in(const ConfigNode& file) {
   Model model;
@@ -59,6 +66,7 @@ SensorModel model_in(const ConfigNode& file) {
 // What a sensor file's `kind` may be.
 const std::map<std::string, SensorModel (*)(const ConfigNode&)> kKinds = {
     {"laser", model_in<LaserModel>},
+    {"rfid", model_in<RfidModel>},
 };
 
 SensorModel model_by_kind(const ConfigNode& file) {

@@ -6,12 +6,13 @@
 
 #include "core/input_error.h"
 #include "robots/laser_model.h"
+#include "robots/rfid_model.h"
 
 namespace mapbed {
 
 // What a sensor is. A new kind is a header beside laser_model.h, a name in this list and a line in
 // the table of sensor_model.cpp.
-using SensorModel = std::variant<LaserModel>;
+using SensorModel = std::variant<LaserModel, RfidModel>;
 
 // The file of a name (robots/sensors/NAME.yaml) or of a path. Throws InputError.
 std::string sensor_file(const std::string& name_or_path);

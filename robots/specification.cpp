@@ -42,6 +42,14 @@ std::string text_of(const LaserModel& laser) {
       millimetres(laser.noise.step));
 }
 
+std::string text_of(const RfidModel& rfid) {
+  return fmt::format(
+      "{:.4g} MHz, {:.3g} dBm ahead, {:.3g} deg wide, {:.3g} dB less behind, {:.3g} Hz, {} slots, "
+      "tags answer from {:.3g} dBm on",
+      rfid.frequency / 1e6, rfid.eirp, degrees(rfid.beam_width), rfid.front_to_back,
+      rfid.round_rate, rfid.slots, rfid.threshold);
+}
+
 std::string size_text(const RobotFootprint& footprint) {
   if (footprint.radius > 0.0) return fmt::format("{:.3g} m across", 2.0 * footprint.radius);
   return fmt::format("{:.3g} x {:.3g} m", footprint.length, footprint.width);

@@ -18,17 +18,21 @@ IdealOdometry odometry_of(const Situation& s) {
   return {s.time, s.robot, s.wheels, s.motors.forward_velocity, s.motors.turn_velocity};
 }
 
-// Sweeps and odometry readings in order of their stamps, each as soon as it is over.
+// Sweeps, rounds and odometry readings in order of their stamps, each as soon as it is over.
 class Schedule {
  public:
   explicit Schedule(const Robot& robot)
-      : lasers_(lasers_of(robot)), odometry_rate_(robot.odometry.rate), next_(lasers_.size() + 1) {}
+      : lasers_(lasers_of(robot)),
+        antennas_(antennas_of(robot)),
+        odometry_rate_(robot.odometry.rate),
+        next_(lasers_.size() + 1 + antennas_.size()) {}
 
   struct Event {
     double start = 0.0;  // [s] of the sweep
     double stamp = 0.0;  // [s]
     double end = 0.0;    // [s] of the sweep
-    int laser = -1;      // -1: odometry of its own
+    int laser = -1;
+    int antenna = -1;  // where that is -1, too: odometry of its own
     std::uint64_t number = 0;
   };
 
@@ -54,17 +58,28 @@ class Schedule {
     const double k = static_cast<double>(number);
     if (source == lasers_.size()) {
       const double stamp = odometry_rate_ > 0.0 ? k / odometry_rate_ : kNever;
-      return {stamp, stamp, stamp, -1, number};
+      return {stamp, stamp, stamp, -1, -1, number};
+    }
+    if (source > lasers_.size()) {
+      const std::size_t antenna = source - lasers_.size() - 1;
+      const double turn = static_cast<double>(antenna) / static_cast<double>(antennas_.size());
+      const double stamp = (k + turn) / antennas_[antenna].model.round_rate;
+      return {stamp, stamp, stamp, -1, static_cast<int>(antenna), number};
     }
     const LaserModel& model = lasers_[source].model;
     const double start = k / model.scan_rate;
-    return {start, start + model.stamp_delay(), start + model.sweep_time(),
-            static_cast<int>(source), number};
+    return {start,
+            start + model.stamp_delay(),
+            start + model.sweep_time(),
+            static_cast<int>(source),
+            -1,
+            number};
   }
 
   std::vector<MountedLaser> lasers_;
+  std::vector<MountedAntenna> antennas_;
   double odometry_rate_;             // [Hz] 0: none of its own
-  std::vector<std::uint64_t> next_;  // number of each laser's next sweep; odometry last
+  std::vector<std::uint64_t> next_;  // of each laser's sweeps, odometry, each antenna's rounds
 };
 
 class Recorder {
@@ -99,6 +114,10 @@ class Recorder {
 
   void take_readings() {
     while (const auto event = schedule_.next(simulation_.now().time)) {
+      if (event->antenna >= 0) {
+        take_round(*event);
+        continue;
+      }
       const Situation situation = simulation_.at(event->stamp);
       const double time = situation.time + options_.first_stamp;
       if (time != last_odometry_) {
@@ -120,6 +139,13 @@ class Recorder {
     }
     sink_.beams(std::move(sweep.truth));
     take(std::move(sweep.ideal));
+  }
+
+  // Without odometry: that would draw noise of its own, and with it change all that follows.
+  void take_round(const Schedule::Event& event) {
+    IdealRfid round = simulation_.rfid_round(event.antenna, event.stamp, event.number);
+    round.time += options_.first_stamp;
+    take(std::move(round));
   }
 
   void take(IdealReading reading) {

@@ -27,8 +27,9 @@ void visit_fields(RecorderOptions& o, Visitor&& visit) {
 
 // Drives until the driver is done, the robot is stuck or the longest time is over. Every laser
 // sweeps at its own rate; odometry is read at every sweep's stamp, and at its own rate besides.
-// `rng` draws the noise of what the driver is told, the same that with_noise(readings, robot, rng)
-// draws.
+// RFID antennas have their rounds in turn, without odometry: they change nothing of the other
+// readings. `rng` draws the noise of what the driver is told, the same that with_noise(readings,
+// robot, rng) draws.
 RecordingEnd record(Simulation& simulation, Driver& driver, const RecorderOptions& options,
                     const Rng& rng, const RecordingSink& sink);
 

@@ -16,6 +16,9 @@ constexpr std::size_t kWhileGrowing = 3;
 
 std::size_t bytes_of(const IdealReading& reading) {
   const std::size_t itself = kWhileGrowing * (sizeof reading + sizeof(Measurement));
+  if (const auto* round = std::get_if<IdealRfid>(&reading)) {
+    return itself + round->tags.size() * (sizeof(IdealTag) + sizeof(RfidRead));
+  }
   const auto* scan = std::get_if<IdealScan>(&reading);
   if (scan == nullptr) return itself;
   return itself + scan->echoes.size() * sizeof(Echo) +

@@ -12,6 +12,7 @@
 #include "sim/physics/planar_physics.h"
 #include "sim/scene/scene.h"
 #include "sim/sensors/ideal_laser.h"
+#include "sim/sensors/rfid/rfid_field.h"
 #include "worlds/geometry/footprint.h"
 
 namespace mapbed {
@@ -93,6 +94,7 @@ struct Simulation::State {
       : world(w),
         robot(r),
         lasers(lasers_of(r)),
+        rfid(world, antennas_of(r)),
         options(o),
         map(world, kOverTheFloor, robot.height),
         physics(world, robot, start, rng.stream("robot")),
@@ -126,6 +128,7 @@ struct Simulation::State {
   World world;
   Robot robot;
   std::vector<MountedLaser> lasers;
+  RfidField rfid;
   SimulationOptions options;
   NavigationMap map;
   PlanarPhysics physics;
@@ -299,9 +302,21 @@ Simulation::Sweep Simulation::sweep(int laser_index, double start, std::uint64_t
   return result;
 }
 
+IdealRfid Simulation::rfid_round(int antenna, double time, std::uint64_t number) {
+  State& s = *state_;
+  const Situation situation = at(time);
+  s.arrange_scene(situation);
+  IdealRfid round = s.rfid.round(s.scene, antenna, situation.robot);
+  round.time = situation.time;
+  round.round = number;
+  return round;
+}
+
 TruthHeader Simulation::truth_header() const {
   const State& s = *state_;
-  TruthHeader header{.world = s.world.name, .robot = s.robot.name, .entities = {}, .materials = {}};
+  TruthHeader header;
+  header.world = s.world.name;
+  header.robot = s.robot.name;
   for (std::size_t id = 0; id < s.scene.entity_count(); ++id) {
     const Entity& entity = s.scene.entity(static_cast<int>(id));
     TruthEntity& truth = header.entities.emplace_back();
@@ -313,6 +328,9 @@ TruthHeader Simulation::truth_header() const {
   header.entities.push_back(
       {static_cast<int>(header.entities.size()), s.robot.name, EntityKind::robot, {}});
   for (const Material& m : s.world.materials) header.materials.push_back(m.name);
+  for (const RfidTag& tag : s.world.tags) {
+    header.tags.push_back({tag.id, tag.world_from_tag, tag.material});
+  }
   return header;
 }
 

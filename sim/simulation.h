@@ -12,6 +12,7 @@
 #include "sim/actors/actors.h"
 #include "sim/actors/navigation_map.h"
 #include "sim/physics/touch.h"
+#include "sim/sensors/ideal_rfid.h"
 #include "sim/sensors/ideal_scan.h"
 #include "sim/truth/truth.h"
 #include "worlds/world.h"
@@ -70,6 +71,10 @@ class Simulation {
     BeamTruthOfScan truth;
   };
   Sweep sweep(int laser, double start, std::uint64_t number);
+
+  // An inventory round at a moment within the last 200 ms, whole at once. `antenna` as
+  // RfidDetections counts. Changes nothing either.
+  IdealRfid rfid_round(int antenna, double time, std::uint64_t number);
 
   const Entity& entity(int id) const;  // of the world or of who moves, as it was in the beginning
   TruthHeader truth_header() const;

@@ -71,6 +71,15 @@ struct CrowdRules {
   std::vector<StandingPlace> places = {};
 };
 
+// A passive tag. It looks along its x axis; its dipole lies along its y axis.
+struct RfidTag {
+  static constexpr int kNothing = -1;
+
+  std::string id = {};  // one word
+  Pose3 world_from_tag = {};
+  int material = kNothing;  // that it sticks on, index into World::materials; or kNothing
+};
+
 // What there is, as data. An entity's id is its index here; whoever adds moving things (robots,
 // people) numbers them on from entities.size().
 struct World {
@@ -80,6 +89,7 @@ struct World {
   std::vector<Door> doors = {};
   std::vector<Movable> movables = {};
   std::vector<NamedPath> paths = {};
+  std::vector<RfidTag> tags = {};
   CrowdRules crowd;
   double ceiling = 2.8;  // [m] height of the rooms; walls end here, pictures look in from above
 };

@@ -207,6 +207,8 @@ SimulationResult run_watched_simulation(PreparedSimulation simulation, std::uint
   SimulationResult result{.simulation = std::move(simulation), .seed = seed};
   result.recording = record(result.simulation, seed, {}, driven);
   result.log = with_noise(result.recording.readings, result.simulation.robot, Rng(seed));
+  result.recording.truth.reads =
+      true_reads(result.recording.readings, result.simulation.robot, Rng(seed));
   const PlannedFaults& faults = result.simulation.faults;
   if (faults.planned.empty()) return result;
   const Trajectory truth = trajectory_of(result.recording.truth);

@@ -14,7 +14,7 @@ struct Overloaded : Readers... {
 }  // namespace
 
 SensorNoise::SensorNoise(const Robot& robot, const Rng& rng)
-    : lasers_(lasers_of(robot)), odometry_(robot.odometry, rng), rng_(rng) {}
+    : lasers_(lasers_of(robot)), odometry_(robot.odometry, rng), rfid_(robot, rng), rng_(rng) {}
 
 Measurement SensorNoise::read(const IdealReading& ideal) {
   const Overloaded readers{
@@ -22,7 +22,8 @@ Measurement SensorNoise::read(const IdealReading& ideal) {
       [&](const IdealScan& scan) -> Measurement {
         CHECK(scan.laser >= 0 && static_cast<std::size_t>(scan.laser) < lasers_.size());
         return with_noise(scan, lasers_[static_cast<std::size_t>(scan.laser)], rng_);
-      }};
+      },
+      [&](const IdealRfid& round) -> Measurement { return rfid_.read(round).detections; }};
   return std::visit(readers, ideal);
 }
 
@@ -32,6 +33,19 @@ SensorLog with_noise(std::span<const IdealReading> readings, const Robot& robot,
   log.reserve(readings.size());
   for (const IdealReading& reading : readings) log.push_back(noise.read(reading));
   return log;
+}
+
+std::vector<TruthRead> true_reads(std::span<const IdealReading> readings, const Robot& robot,
+                                  const Rng& rng) {
+  RfidReader reader(robot, rng);
+  std::vector<TruthRead> reads;
+  for (const IdealReading& reading : readings) {
+    const auto* ideal = std::get_if<IdealRfid>(&reading);
+    if (ideal == nullptr) continue;
+    const RfidRound round = reader.read(*ideal);
+    reads.insert(reads.end(), round.reads.begin(), round.reads.end());
+  }
+  return reads;
 }
 
 }  // namespace mapbed

@@ -157,6 +157,22 @@ std::string bytes_of(std::span<const BeamTruthOfScan> scans) {
   return bytes;
 }
 
+std::string bytes_of(std::span<const TruthRead> reads) {
+  std::vector<double> times;
+  for (const TruthRead& read : reads) times.push_back(read.time);
+  const auto of_reads = [&](auto number) {
+    return column(1, reads.size(), [&](auto, auto i) { return number(reads[i]); });
+  };
+  std::string bytes;
+  append_number(bytes, static_cast<std::uint32_t>(reads.size()));
+  append_numbers(bytes, times);
+  append_planes(bytes, of_reads([](const TruthRead& r) { return r.antenna; }));
+  append_planes(bytes, of_reads([](const TruthRead& r) { return r.tag; }));
+  append_planes(
+      bytes, of_reads([](const TruthRead& r) { return static_cast<std::int32_t>(r.mechanism); }));
+  return bytes;
+}
+
 std::optional<std::vector<StampedStates>> states_in(std::string_view bytes,
                                                     const TruthHeader& header) {
   ColumnReader reader(bytes);
@@ -224,6 +240,26 @@ std::optional<std::vector<BeamTruthOfScan>> beams_in(std::string_view bytes,
     }
   }
   return scans;
+}
+
+std::optional<std::vector<TruthRead>> reads_in(std::string_view bytes, const TruthHeader& header) {
+  constexpr std::size_t kMechanisms = 4;
+  ColumnReader reader(bytes);
+  const std::size_t n = reader.number();
+  const std::vector<double> times = reader.numbers(n);
+  const Column antennas = reader.planes(n);
+  const Column tags = reader.planes(n);
+  const Column mechanisms = reader.planes(n);
+  if (!reader.ok() || !reader.at_end()) return {};
+  std::vector<TruthRead> reads(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool makes_sense =
+        std::isfinite(times[i]) && antennas[i] >= 0 && is_index(tags[i], header.tags.size()) &&
+        is_index(mechanisms[i], kMechanisms) && (i == 0 || times[i] >= times[i - 1]);
+    if (!makes_sense) return {};
+    reads[i] = {times[i], antennas[i], tags[i], static_cast<ReadMechanism>(mechanisms[i])};
+  }
+  return reads;
 }
 
 }  // namespace mapbed

@@ -19,10 +19,12 @@ namespace {
 
 constexpr std::string_view kStates = "STAT";
 constexpr std::string_view kBeams = "BEAM";
+constexpr std::string_view kReads = "READ";
 constexpr std::string_view kEnd = "END ";
 
 // A block holds enough for gzip to find what repeats, and little enough for memory.
 constexpr std::size_t kMostMoments = 256;
+constexpr std::size_t kMostReads = 16'384;  // in a block
 constexpr std::size_t kMostNumbers = std::size_t{1} << 22;
 constexpr std::size_t kLongestBlock = std::size_t{1} << 26;  // [bytes]
 constexpr std::size_t kLongestLine = std::size_t{1} << 16;   // [bytes]
@@ -139,6 +141,7 @@ struct TruthWriter::State {
   GzipWriter file;
   std::vector<StampedStates> states;
   std::map<int, std::vector<BeamTruthOfScan>> beams;  // of each laser
+  std::vector<TruthRead> reads;
 };
 
 TruthWriter::TruthWriter(const std::string& path, const TruthHeader& header)
@@ -160,9 +163,15 @@ void TruthWriter::add(const BeamTruthOfScan& beams) {
   state_->add(kBeams, items, beams, 5 * beams.beams.size(), fits);
 }
 
+void TruthWriter::add(const TruthRead& read) {
+  if (state_->reads.size() >= kMostReads) state_->flush(kReads, state_->reads);
+  state_->reads.push_back(read);
+}
+
 void TruthWriter::finish() {
   state_->flush(kStates, state_->states);
   for (auto& [laser, items] : state_->beams) state_->flush(kBeams, items);
+  state_->flush(kReads, state_->reads);
   state_->write_block(kEnd, {});
   state_->file.commit();
 }
@@ -181,6 +190,7 @@ void read_truth(const std::string& path, const TruthSink& sink) {
     };
     if (block.name == kStates) hand_on(states_in(block.bytes, header), sink.states);
     if (block.name == kBeams) hand_on(beams_in(block.bytes, header), sink.beams);
+    if (block.name == kReads) hand_on(reads_in(block.bytes, header), sink.reads);
     if (block.name != kEnd) continue;
     if (!block.bytes.empty()) input.fail("is damaged");
     return input.expect_end();
@@ -206,7 +216,8 @@ Truth load_truth(const std::string& path, std::size_t max_bytes) {
        .states =
            [&](StampedStates&& s) { keep(truth.states, s, s.moving.size() * sizeof(MovingPose)); },
        .beams =
-           [&](BeamTruthOfScan&& b) { keep(truth.beams, b, b.beams.size() * sizeof(BeamTruth)); }});
+           [&](BeamTruthOfScan&& b) { keep(truth.beams, b, b.beams.size() * sizeof(BeamTruth)); },
+       .reads = [&](TruthRead&& r) { keep(truth.reads, r, 0); }});
   // Each laser has blocks of its own.
   std::stable_sort(truth.beams.begin(), truth.beams.end(),
                    [](const BeamTruthOfScan& a, const BeamTruthOfScan& b) {
@@ -219,6 +230,7 @@ void write_truth(const std::string& path, const Truth& truth) {
   TruthWriter writer(path, truth);
   for (const StampedStates& states : truth.states) writer.add(states);
   for (const BeamTruthOfScan& beams : truth.beams) writer.add(beams);
+  for (const TruthRead& read : truth.reads) writer.add(read);
   writer.finish();
 }
 

@@ -15,6 +15,7 @@
 //   MATERIAL index name
 //   ENTITY id kind name
 //   PART entity index name
+//   TAG id x y z qx qy qz qw material    (an RFID tag; material -1: it sticks on nothing)
 //   BLOCKS
 //
 // A block is a name of four letters, the number of bytes that follow (uint32) and so many bytes;
@@ -26,12 +27,15 @@
 //   BEAM   n, k: beams of a scan, laser (uint32); time (float64[n]);
 //          range[k][n], entity[k][n], part[k][n], material[k][n], motion[k][n]
 //
-// Motion is 0 still, 1 waiting, 2 moving; entity, part, material and range are -1 where nothing was
-// hit. Every column behind the float64 is in planes: a byte that says how many (1 to 4), then the
-// lowest bytes of all its numbers, the next ones, and so on; the highest bit is the sign. Range [1
-// um] and pose (x, y, z [0.1 mm], then x, y, z, w of a unit quaternion, times 1e5) are differences
-// from the moment before, but for the first of the n. sim/README.md has a reader of some 20 lines
-// in Python.
+//   READ   n: reads of RFID tags (uint32); time (float64[n]); antenna[n], tag[n], mechanism[n]
+//
+// Tags count from 0 as their lines stand; a mechanism is 0 direct, 1 reflection, 2 ghost, 3 wrong
+// antenna. Motion is 0 still, 1 waiting, 2 moving; entity, part, material and range are -1 where
+// nothing was hit. Every column behind the float64 is in planes: a byte that says how many (1 to
+// 4), then the lowest bytes of all its numbers, the next ones, and so on; the highest bit is the
+// sign. Range [1 um] and pose (x, y, z [0.1 mm], then x, y, z, w of a unit quaternion, times 1e5)
+// are differences from the moment before, but for the first of the n. sim/README.md has a reader of
+// some 20 lines in Python.
 
 namespace mapbed {
 
@@ -45,6 +49,7 @@ class TruthWriter {
 
   void add(const StampedStates& states);   // by time
   void add(const BeamTruthOfScan& beams);  // by time
+  void add(const TruthRead& read);         // by time
   void finish();                           // once, in the end
 
  private:
@@ -57,6 +62,7 @@ struct TruthSink {
   std::function<void(const TruthHeader&)> header = {};
   std::function<void(StampedStates&&)> states = {};
   std::function<void(BeamTruthOfScan&&)> beams = {};
+  std::function<void(TruthRead&&)> reads = {};
 };
 
 // Throw InputError with the place: the line of the header, or block and byte; the second one also

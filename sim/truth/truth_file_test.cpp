@@ -137,9 +137,47 @@ TEST_F(TruthFile, IsReadAsAStream) {
   EXPECT_EQ(beams, 900);
 }
 
+TEST_F(TruthFile, TagsAndTheirReadsComeBackToo) {
+  Truth truth = some_truth(2);
+  truth.tags = {{"tag_1", {{1.5, -2.25, 1.1}, rotation_of(0.3, 0.1, -0.2)}, 1},
+                {"tag_2", {{0.1, 0.2, 0.3}, {}}, -1}};
+  for (int i = 0; i < 40'000; ++i) {  // more than a block holds
+    truth.reads.push_back({12.25 + 0.125 * i, i % 3, i % 2, static_cast<ReadMechanism>(i % 4)});
+  }
+  write_truth(path(), truth);
+  const Truth back = load_truth(path());
+  ASSERT_EQ(back.tags.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(back.tags[i].id, truth.tags[i].id);
+    EXPECT_EQ(back.tags[i].world_from_tag, truth.tags[i].world_from_tag);
+    EXPECT_EQ(back.tags[i].material, truth.tags[i].material);
+  }
+  ASSERT_EQ(back.reads.size(), truth.reads.size());
+  for (std::size_t i = 0; i < back.reads.size(); ++i) {
+    const TruthRead& a = back.reads[i];
+    const TruthRead& b = truth.reads[i];
+    ASSERT_EQ(std::tuple(a.time, a.antenna, a.tag, a.mechanism),
+              std::tuple(b.time, b.antenna, b.tag, b.mechanism));
+  }
+}
+
+TEST_F(TruthFile, ATagThatIsNowhereAndAReadOfNoTagAreRefused) {
+  Truth truth = some_truth(2);
+  truth.tags = {{"tag_1", {}, -1}};
+  truth.reads = {{1.0, 0, 1, ReadMechanism::direct}};
+  EXPECT_INPUT_ERROR(load_truth(damaged(bytes_of(truth))), "(READ) is damaged");
+  truth.reads.clear();
+  for (const char* line : {"TAG tag_1 1 2 3", "TAG tag_1 1 2 x 0 0 0 1 -1",
+                           "TAG tag_1 1 2 3 0 0 0 2 0", "TAG tag_1 1 2 3 0 0 0 1 7"}) {
+    std::string bytes = bytes_of(truth);
+    bytes.insert(bytes.find("BLOCKS\n"), std::string(line) + "\n");
+    EXPECT_INPUT_ERROR(load_truth(damaged(bytes)), "a tag's line that does not say where it is");
+  }
+}
+
 TEST_F(TruthFile, BlocksOfUnknownKindsArePassedOver) {
   std::string bytes = bytes_of(some_truth(2));
-  std::string block = "READ";
+  std::string block = "WIND";
   append_number(block, 5);
   bytes.insert(bytes.find("BLOCKS\n") + 7, block + "12345");
   EXPECT_EQ(load_truth(damaged(bytes)).states.size(), 2u);

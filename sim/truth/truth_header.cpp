@@ -1,6 +1,8 @@
 #include "sim/truth/truth_header.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -32,6 +34,12 @@ std::string header_text(const TruthHeader& header) {
                                  printable(header.robot));
   for (std::size_t i = 0; i < header.materials.size(); ++i) {
     text += fmt::format("MATERIAL {} {}\n", i, printable(header.materials[i]));
+  }
+  for (const TruthTag& tag : header.tags) {
+    const Eigen::Vector3d& p = tag.world_from_tag.position;
+    const Eigen::Quaterniond& q = tag.world_from_tag.rotation;
+    text += fmt::format("TAG {} {} {} {} {} {} {} {} {}\n", printable(tag.id), p.x(), p.y(), p.z(),
+                        q.x(), q.y(), q.z(), q.w(), tag.material);
   }
   for (const TruthEntity& e : header.entities) {
     text += fmt::format("ENTITY {} {} {}\n", e.id, name_of(e.kind), printable(e.name));
@@ -70,6 +78,8 @@ bool TruthHeaderReader::take(std::string_view line, bool is_whole) {
     expect_index(line, static_cast<std::size_t>(entity.id));
     expect_index(line, entity.parts.size());
     entity.parts.push_back(rest_of(line));
+  } else if (key == "TAG") {
+    header.tags.push_back(tag_in(line));
   } else {
     fail("unknown line " + in_quotes(key));
   }
@@ -92,6 +102,26 @@ void TruthHeaderReader::expect_index(std::string_view& line, std::size_t expecte
   const std::string_view word = next_word(line);
   if (word == std::to_string(expected)) return;
   fail(fmt::format("{} stands where {} comes next", in_quotes(word), expected));
+}
+
+TruthTag TruthHeaderReader::tag_in(std::string_view line) const {
+  TruthTag tag;
+  tag.id = std::string(next_word(line));
+  std::array<double, 7> pose{};
+  bool is_whole = !tag.id.empty();
+  for (double& value : pose) is_whole = is_whole && parse_number(next_word(line), value);
+  int material = -1;
+  is_whole = is_whole && parse_number(next_word(line), material);
+  const auto materials = static_cast<int>(header.materials.size());
+  const auto& [x, y, z, qx, qy, qz, qw] = pose;
+  const Eigen::Quaterniond rotation(qw, qx, qy, qz);
+  tag.world_from_tag = {{x, y, z}, rotation};
+  tag.material = material;
+  const bool makes_sense = is_whole && is_finite(tag.world_from_tag) &&
+                           std::abs(rotation.norm() - 1.0) < 1e-6 && material >= -1 &&
+                           material < materials;
+  if (!makes_sense) fail("a tag's line that does not say where it is");
+  return tag;
 }
 
 EntityKind TruthHeaderReader::kind_of(std::string_view name) const {

@@ -25,6 +25,7 @@ class TruthHeaderReader {
   [[noreturn]] void fail(const std::string& reason) const;
   void check_first_line(std::string_view line) const;
   void expect_index(std::string_view& line, std::size_t expected) const;
+  TruthTag tag_in(std::string_view line) const;
   EntityKind kind_of(std::string_view name) const;
 
   SourceLocation place_;

@@ -12,6 +12,7 @@
 #include "worlds/build/furniture.h"
 #include "worlds/file/plan_import.h"
 #include "worlds/file/shape_config.h"
+#include "worlds/tags.h"
 #include "worlds/worlds.h"
 
 namespace mapbed {
@@ -35,6 +36,7 @@ class WorldReader {
     for_each("shapes", [&](const ConfigNode& shape) { read_shape(shape); });
     for_each("movables", [&](const ConfigNode& movable) { read_movable(movable); });
     if (const ConfigNode* paths = file_.find("paths")) read_paths(*paths);
+    for_each("tags", [&](const ConfigNode& tag) { read_tag(tag); });
     if (const ConfigNode* crowd = file_.find("crowd")) read_crowd(*crowd);
     file_.check_all_used("world file");
     if (world_.entities.empty()) {
@@ -243,6 +245,25 @@ class WorldReader {
       std::erase_if(world_.paths, [&](const NamedPath& old) { return old.name == name; });
       world_.paths.push_back(std::move(path));
     }
+  }
+
+  void read_tag(const ConfigNode& node) {
+    RfidTag tag{.id = node.at("id").text()};
+    const std::vector<double> at = node.at("at").numbers(Unit::meter);
+    if (at.size() != 3) {
+      throw InputError(node.at("at").place(), "a tag's place has three numbers",
+                       "write [x, y, z], as in [1 m, 2 m, 1.4 m]");
+    }
+    const auto angle = [&](const char* key) {
+      const ConfigNode* found = node.find(key);
+      return found != nullptr ? found->number(Unit::radian) : 0.0;
+    };
+    tag.world_from_tag = {{at[0], at[1], at[2]},
+                          rotation_of(angle("facing"), angle("pitch"), angle("roll"))};
+    const bool is_told = node.find("material") != nullptr;
+    tag.material = is_told ? material(node, "") : material_behind(world_, tag.world_from_tag);
+    check_at(node.place(), [&] { check_tag(world_, tag); });
+    world_.tags.push_back(std::move(tag));
   }
 
   void read_crowd(const ConfigNode& node) {

@@ -30,6 +30,8 @@ namespace mapbed {
 //     - {name: seat, piece: office_chair, at: [4 m, 6 m], to: [[5 m, 6 m]], mean_rest: 20 s}
 //   paths:
 //     across: {points: [[1 m, 1 m], [7 m, 1 m]], clearance: 0.3 m, speed: 0.4 m/s}
+//   tags:
+//     - {id: tag_1, at: [1 m, 2 m, 1.4 m], facing: 90 deg, roll: 0 deg, material: wood}
 //   crowd:
 //     walkers: 4
 //     routes: [{name: to and fro, points: [[1 m, 2 m], [7 m, 2 m]]}]

@@ -35,6 +35,10 @@ movables:  # what is moved about, from `at` to each place of `to` and round agai
   - {name: chair, piece: chair, at: [46 m, 7 m], to: [[47 m, 7 m]]}  # or office_chair
 paths:  # that robots can be sent along: clear of all things, doors open
   across: {points: [[41 m, 1 m], [47 m, 1 m]], clearance: 0.3 m, speed: 0.4 m/s}
+tags:  # RFID tags: where they look, and what they stick on (what is right behind if left out)
+  - {id: tag_1, at: [44 m, 2.9 m, 1.4 m], facing: -90 deg, pitch: 0 deg,
+     roll: 0 deg,  # 0 deg: the dipole lies level; 90 deg: it stands upright
+     material: plaster}
 crowd:
   walkers: 4
   standing: 1

@@ -25,6 +25,7 @@ struct Material {
   double permittivity = 3.75;  // relative, >= 1
   bool conductor = false;      // metal: reflects everything
   double crossing_loss = 3.0;  // [dB] of a wave that goes through once, >= 0
+  double tag_loss = 1.0;       // [dB] of the gain of a tag's antenna that sticks on it, >= 0
 };
 
 // All but the name and the color, which is three numbers.
@@ -42,6 +43,8 @@ void visit_fields(Material& m, Visitor&& visit) {
   visit("conductor", m.conductor, "reflects all radio waves");
   visit("crossing_loss", m.crossing_loss, between(0.0, 1000.0),
         "of a radio wave going through once [dB]");
+  visit("tag_loss", m.tag_loss, between(0.0, 1000.0),
+        "of the antenna of an RFID tag that sticks on it [dB]");
 }
 
 // That a laser beam is reflected by the surface and not let through, at an angle of incidence from

@@ -11,6 +11,7 @@
 #include "worlds/build/furnish.h"
 #include "worlds/build/furniture.h"
 #include "worlds/build/furniture_placer.h"
+#include "worlds/office/corridor_tags.h"
 
 namespace mapbed {
 namespace {
@@ -253,6 +254,36 @@ void add_crowd(World& world, const OfficePlan& plan, const std::vector<OfficeRoo
   }
 }
 
+// Where the ring's walls are free of doors and glass, along the corridor.
+std::vector<TagStrip> free_strips(const OfficePlan& plan, const std::vector<OfficeRoom>& rooms) {
+  constexpr double kCorner = 0.3, kBesideDoor = 0.3;  // [m]
+  std::vector<TagStrip> strips;
+  for (const Side side : {south, east, north, west}) {
+    for (const bool inner : {false, true}) {
+      const double begin = inner ? plan.inner : plan.outer;
+      // Away from the wall: outer walls look inwards, inner ones outwards.
+      const double into_ring = (side == south || side == west) == inner ? -1.0 : 1.0;
+      const double surface = plan.wall_line(side, inner) + into_ring * Wall{}.thickness / 2;
+      const double facing = runs_along_x(side) ? into_ring * kPi / 2 : into_ring > 0.0 ? 0.0 : kPi;
+      std::vector<std::pair<double, double>> taken;
+      for (const OfficeRoom& room : rooms) {
+        if (room.corridor_side != side || room.inner != inner) continue;
+        taken.emplace_back(
+            room.door - kDoorWidth / 2 - kBesideDoor,
+            room.behind_glass ? room.last : room.door + kDoorWidth / 2 + kBesideDoor);
+      }
+      std::sort(taken.begin(), taken.end());
+      taken.emplace_back(plan.size - begin - kCorner, 0.0);
+      double from = begin + kCorner;
+      for (const auto& [low, high] : taken) {
+        if (low > from) strips.push_back({at(side, from, surface), at(side, low, surface), facing});
+        from = std::max(from, high);
+      }
+    }
+  }
+  return strips;
+}
+
 }  // namespace
 
 World build_office(const OfficeOptions& options) {
@@ -283,6 +314,8 @@ World build_office(const OfficeOptions& options) {
                         rng);
   }
   check_clearance(world);
+  add_tags(world, free_strips(plan, rooms), options.tags, material_index(world, Wall{}.material),
+           Rng(options.seed).stream("office tags"));
   return world;
 }
 

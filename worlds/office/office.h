@@ -25,6 +25,7 @@ struct OfficeOptions {
   bool glass_wall = true;
   int walkers = 0;
   int standing = 0;
+  int tags = 0;
 };
 
 template <class Visitor>
@@ -41,6 +42,7 @@ void visit_fields(OfficeOptions& o, Visitor&& visit) {
   visit("glass_wall", o.glass_wall, "the meeting room stands behind a wall of glass");
   visit("walkers", o.walkers, between(0, 500), "people who walk about");
   visit("standing", o.standing, between(0, 500), "people who stand in the rooms");
+  visit("tags", o.tags, between(0, 1000), "RFID tags on the walls of the corridor ring");
 }
 
 World build_office(const OfficeOptions& options);

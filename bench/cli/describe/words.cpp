@@ -128,11 +128,18 @@ Entries drive_entries() {
 }
 
 Entries sensor_kind_entries() {
-  return {{"laser", "a range finder whose beams lie in a plane", [] {
+  return {{"laser", "a range finder whose beams lie in a plane",
+           [] {
              LaserModel laser;
              return "kind: laser  # of a sensor's file; 'mapbed list sensors' shows those there "
                     "are\n" +
                     to_yaml(options_of(laser));
+           }},
+          {"rfid", "an antenna of an RFID reader; a robot's antennas take turns", [] {
+             RfidModel rfid;
+             return "kind: rfid  # of a sensor's file; 'mapbed list sensors' shows those there "
+                    "are\n" +
+                    to_yaml(options_of(rfid));
            }}};
 }
 

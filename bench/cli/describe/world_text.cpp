@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/geometry/angle.h"
 #include "worlds/world.h"
 
 namespace mapbed {
@@ -42,6 +43,16 @@ std::string text_of_world(const World& world) {
     const Eigen::Vector3d& at = movable.entity.world_from_entity.position;
     text += fmt::format("  - {}: at ({:.1f}, {:.1f}), {} further places\n", movable.entity.name,
                         at.x(), at.y(), movable.places.size() - 1);
+  }
+  if (!world.tags.empty()) text += "tags:\n";
+  for (const RfidTag& tag : world.tags) {
+    const Eigen::Vector3d& at = tag.world_from_tag.position;
+    const auto material = static_cast<std::size_t>(tag.material);
+    text +=
+        fmt::format("  - {}: at ({:.2f}, {:.2f}, {:.2f}), looks to {:.0f} deg{}\n", tag.id, at.x(),
+                    at.y(), at.z(), degrees(planar(tag.world_from_tag).theta),
+                    tag.material == RfidTag::kNothing ? ", hangs free"
+                                                      : ", on " + world.materials[material].name);
   }
   if (!world.doors.empty()) text += "doors:\n";
   for (const Door& door : world.doors) {
