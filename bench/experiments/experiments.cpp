@@ -9,6 +9,9 @@
 #include "bench/experiments/matching_basin.h"
 #include "bench/experiments/motion_models.h"
 #include "bench/experiments/odds_vs_counting.h"
+#include "bench/experiments/rfid/rfid_localization.h"
+#include "bench/experiments/rfid/rfid_sensor_model.h"
+#include "bench/experiments/rfid/tag_mapping.h"
 #include "bench/experiments/slam.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
@@ -17,10 +20,11 @@ namespace mapbed {
 
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> table{
-      slam_experiment(),           odds_vs_counting_experiment(), known_poses_experiment(),
-      end_points_experiment(),     matching_basin_experiment(),   motion_models_experiment(),
-      laser_readings_experiment(), log_faults_experiment(),       learned_people_experiment(),
-      false_loops_experiment(),    localization_experiment(),
+      slam_experiment(),           odds_vs_counting_experiment(),  known_poses_experiment(),
+      end_points_experiment(),     matching_basin_experiment(),    motion_models_experiment(),
+      laser_readings_experiment(), log_faults_experiment(),        learned_people_experiment(),
+      false_loops_experiment(),    localization_experiment(),      rfid_sensor_model_experiment(),
+      tag_mapping_experiment(),    rfid_localization_experiment(),
   };
   return table;
 }
