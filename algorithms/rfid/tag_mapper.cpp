@@ -13,6 +13,8 @@
 namespace mapbed {
 namespace {
 
+constexpr double kSamePlace = 0.15;  // [m] from where the same things are seen
+
 double side_of_square(const std::vector<DetectionTable>& tables, const TagMapperOptions& options) {
   if (options.side > 0.0) return options.side;
   double reach = 0.0;
@@ -22,8 +24,9 @@ double side_of_square(const std::vector<DetectionTable>& tables, const TagMapper
 
 }  // namespace
 
-TagMapper::TagMapper(const LearnedRfid& model, const TagMapperOptions& options, const Rng& rng)
-    : options_(options), rng_(rng) {
+TagMapper::TagMapper(const LearnedRfid& model, const TagMapperOptions& options, const Rng& rng,
+                     std::shared_ptr<const OccupancyMap> map)
+    : options_(options), rng_(rng), map_(std::move(map)) {
   for (const AntennaModel& antenna : model) tables_.emplace_back(antenna);
   const bool knows = std::all_of(tables_.begin(), tables_.end(),
                                  [](const DetectionTable& table) { return table.knows_rssi(); });
@@ -61,19 +64,35 @@ double TagMapper::news(Tag& tag, int antenna, const Eigen::Vector2d& place) cons
   return 1.0 / pooled;
 }
 
-void TagMapper::take(Tag& tag, const DetectionTable& table, const Pose2& map_from_antenna,
-                     const RfidRead* read, double weight) const {
-  const Pose2 antenna_from_map = inverse(map_from_antenna);
+// Antennas that are near each other share it.
+std::shared_ptr<const LineOfSight> TagMapper::sight_from(const Eigen::Vector2d& place) {
+  if (map_ == nullptr) return nullptr;
+  if (sight_ == nullptr || (sight_->from() - place).norm() > kSamePlace) {
+    double reach = 0.0;
+    for (const DetectionTable& table : tables_) reach = std::max(reach, table.reach());
+    sight_ = std::make_shared<LineOfSight>(*map_, place, reach);
+  }
+  return sight_;
+}
+
+// One reading of a tag; null: it was silent.
+void TagMapper::take(Tag& tag, const PastRound& round, const RfidRead* read, double weight) const {
+  const DetectionTable& table = tables_[static_cast<std::size_t>(round.antenna)];
+  const Pose2 antenna_from_map = inverse(round.map_from_antenna);
   const auto c = static_cast<float>(std::cos(antenna_from_map.theta));
   const auto s = static_cast<float>(std::sin(antenna_from_map.theta));
   const auto dx = static_cast<float>(antenna_from_map.x);
   const auto dy = static_cast<float>(antenna_from_map.y);
   const bool strength = read != nullptr && options_.rssi && read->has_rssi();
   const auto rssi = static_cast<float>(strength ? read->rssi : 0.0);
+  const auto far = table.log_missed(1e9F, 0.0F);
   for (std::size_t i = 0; i < tag.x.size(); ++i) {
     const float x = c * tag.x[i] - s * tag.y[i] + dx;
     const float y = s * tag.x[i] + c * tag.y[i] + dy;
     float value = read != nullptr ? table.log_detected(x, y) : table.log_missed(x, y);
+    const bool is_hidden = read == nullptr && value != far && round.sight != nullptr &&
+                           !round.sight->sees(tag.x[i], tag.y[i]);
+    if (is_hidden) value = far;
     if (strength) value += table.log_rssi(x, y, rssi);
     tag.log_weights[i] += weight * static_cast<double>(value);
   }
@@ -88,8 +107,7 @@ bool TagMapper::may_hear(const Tag& tag, int antenna, const Eigen::Vector2d& pla
 void TagMapper::take_silence(Tag& tag, const PastRound& round) const {
   const Eigen::Vector2d place = round.map_from_antenna.position();
   if (!may_hear(tag, round.antenna, place)) return;
-  take(tag, tables_[static_cast<std::size_t>(round.antenna)], round.map_from_antenna, nullptr,
-       news(tag, round.antenna, place));
+  take(tag, round, nullptr, news(tag, round.antenna, place));
 }
 
 void TagMapper::add(const RfidDetections& round, const Pose2& map_from_robot) {
@@ -99,9 +117,9 @@ void TagMapper::add(const RfidDetections& round, const Pose2& map_from_robot) {
                                  round.antenna + 1, tables_.size()),
                      "learn a model of this robot's antennas");
   }
-  const DetectionTable& table = tables_[static_cast<std::size_t>(round.antenna)];
-  const PastRound now{round.antenna, map_from_robot * round.robot_from_antenna.planar};
+  PastRound now{round.antenna, map_from_robot * round.robot_from_antenna.planar, nullptr};
   const Eigen::Vector2d place = now.map_from_antenna.position();
+  if (options_.non_detections) now.sight = sight_from(place);
   std::set<std::string_view> answered;
   for (const RfidRead& read : round.reads) {
     answered.insert(read.tag);
@@ -112,7 +130,7 @@ void TagMapper::add(const RfidDetections& round, const Pose2& map_from_robot) {
     }
     Tag& tag = found->second;
     ++tag.detections;
-    take(tag, table, now.map_from_antenna, &read, news(tag, round.antenna, place));
+    take(tag, now, &read, news(tag, round.antenna, place));
   }
   if (!options_.non_detections) return;
   for (auto& [name, tag] : tags_) {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "algorithms/rfid/detection_table.h"
 #include "algorithms/rfid/learned_rfid.h"
+#include "algorithms/rfid/line_of_sight.h"
 #include "algorithms/tag_belief.h"
 #include "core/config/option.h"
 #include "core/random.h"
@@ -42,8 +44,10 @@ void visit_fields(TagMapperOptions& o, Visitor&& visit) {
 // the robot first heard the tag, and weighted by every reading.
 class TagMapper {
  public:
-  // Throws InputError where `options` ask for what the model did not learn.
-  TagMapper(const LearnedRfid& model, const TagMapperOptions& options, const Rng& rng);
+  // Where a map is given, silence says nothing of what is behind walls of it. Throws InputError
+  // where `options` ask for what the model did not learn.
+  TagMapper(const LearnedRfid& model, const TagMapperOptions& options, const Rng& rng,
+            std::shared_ptr<const OccupancyMap> map = nullptr);
 
   // In order of time. Throws InputError for an antenna that the model does not know.
   void add(const RfidDetections& round, const Pose2& map_from_robot);
@@ -66,19 +70,22 @@ class TagMapper {
   struct PastRound {
     int antenna = 0;
     Pose2 map_from_antenna;
+    std::shared_ptr<const LineOfSight> sight;  // null: no map is given
   };
 
   Tag make_tag(const std::string& name, const Eigen::Vector2d& robot) const;
   bool may_hear(const Tag& tag, int antenna, const Eigen::Vector2d& place) const;
   void take_silence(Tag& tag, const PastRound& round) const;
   double news(Tag& tag, int antenna, const Eigen::Vector2d& place) const;
-  void take(Tag& tag, const DetectionTable& table, const Pose2& map_from_antenna,
-            const RfidRead* read, double weight) const;
+  std::shared_ptr<const LineOfSight> sight_from(const Eigen::Vector2d& place);
+  void take(Tag& tag, const PastRound& round, const RfidRead* read, double weight) const;
 
   TagMapperOptions options_;
   Rng rng_;
   std::vector<DetectionTable> tables_;
   double side_ = 0.0;
+  std::shared_ptr<const OccupancyMap> map_;
+  std::shared_ptr<const LineOfSight> sight_;  // the newest one
   std::map<std::string, Tag, std::less<>> tags_;
   std::vector<PastRound> past_;  // of all antennas; none where silence does not count
 };

@@ -58,7 +58,7 @@ PlanePanel belief_panel(const BeliefMoment& moment, const Eigen::Vector2d& truth
 }
 
 PlanePanel map_panel(const OccupancyMap& map) {
-  const CellBox box = known_box(map);
+  const CellBox box = box_of_surroundings(map);
   const Eigen::Vector2d low = map.frame().corner_of({box.min.x, box.min.y});
   const Eigen::Vector2d size = map.resolution() * Eigen::Vector2d(box.width(), box.height());
   PlanePanel panel(Eigen::AlignedBox2d(low, low + size), kMapSide / size.maxCoeff());

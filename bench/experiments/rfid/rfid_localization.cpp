@@ -69,15 +69,16 @@ struct MappedPlace {
 MappedPlace mapped(const Setup& setup, const RunInput& input) {
   const LogInput& drive = input.further.at(kMapping);
   const TagPath path = tag_path(setup.options.mapper, setup.mapper, input, drive);
-  TagMapper mapper(setup.model, setup.options.tags, Rng(input.seed).stream("mapped tags"));
-  for (const PosedRound& posed : posed_rounds(drive.log, path.world_from_robot)) {
-    mapper.add(*posed.round, posed.map_from_robot);
-  }
   MappedPlace place;
-  place.tags = mapper.beliefs();
   const SensorLog log = prepared(drive.log, {}).log;
   place.map =
       std::make_shared<OccupancyMap>(wall_map(log, path.world_from_robot, setup.options.map));
+  TagMapper mapper(setup.model, setup.options.tags, Rng(input.seed).stream("mapped tags"),
+                   place.map);
+  for (const PosedRound& posed : posed_rounds(drive.log, path.world_from_robot)) {
+    mapper.add(*posed.round, posed.map_from_robot);
+  }
+  place.tags = mapper.beliefs();
   for (const Stamped<Pose2>& pose : path.world_from_robot) place.mapped_from.push_back(pose.pose);
   return place;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algorithms/grid/wall_map.h"
+#include "algorithms/input/input_stage.h"
 #include "algorithms/rfid/learned_rfid.h"
 #include "algorithms/rfid/tag_answer.h"
 #include "algorithms/rfid/tag_mapper.h"
@@ -33,6 +34,7 @@ struct TagMappingOptions {
   std::string model = "pioneer_rfid_piecewise";
   double caution = 1.0;
   TagMapperOptions mapper;
+  bool sight = true;
   bool aperture = false;
   TagApertureOptions phases;
 };
@@ -45,6 +47,7 @@ void visit_fields(TagMappingOptions& o, Visitor&& visit) {
   visit("caution", o.caution, kFraction,
         "of a piecewise model: fraction of rounds that count as saying nothing; 1: Figure 7.4");
   visit("mapper", o.mapper, "how each tag's belief is made");
+  visit("sight", o.sight, "silence says nothing of what is behind the walls of the map");
   visit("aperture", o.aperture, "tags are put where the phases of their answers agree");
   visit("phases", o.phases, "how these are put together");
 }
@@ -145,10 +148,9 @@ std::string shown_tag(const Histories& histories) {
   return histories.empty() ? "" : histories.begin()->first;
 }
 
-void add_figures(const RunInput& input, const TagPath& path, const Histories& histories,
+void add_figures(const RunInput& input, const OccupancyMap& walls, const Histories& histories,
                  const std::vector<PosedRound>& rounds, const MappedTags& mapped,
                  RunOutcome& outcome) {
-  const OccupancyMap walls = wall_map(input.log, path.world_from_robot, {.resolution = 0.1});
   if (known_box(walls).empty() || mapped.tags.empty()) return;
   outcome.files.push_back(
       {"maps/tags.png", png_of(tag_map_figure(walls, mapped.tags)), "where tags were mapped"});
@@ -178,7 +180,10 @@ RunOutcome run(const Setup& setup, const RunInput& input) {
   (void)antennas_in(input.log);
   const TagPath path = tag_path(setup.options.estimator, setup.method, input, input);
   const std::vector<PosedRound> rounds = posed_rounds(input.log, path.world_from_robot);
-  TagMapper mapper(setup.model, setup.options.mapper, input.rng.stream("tags"));
+  const auto walls = std::make_shared<OccupancyMap>(
+      wall_map(prepared(input.log, {}).log, path.world_from_robot, {.resolution = 0.1}));
+  TagMapper mapper(setup.model, setup.options.mapper, input.rng.stream("tags"),
+                   setup.options.sight ? walls : nullptr);
   const Histories histories = mapped_on_the_way(mapper, rounds, input.goes_on);
   const std::vector<TagBelief> beliefs = mapper.beliefs();
   std::map<std::string, Eigen::Vector2d> focused;
@@ -207,7 +212,7 @@ RunOutcome run(const Setup& setup, const RunInput& input) {
   outcome.series.push_back(error_by_detections(histories, places));
   if (input.shown) {
     outcome.files.push_back({"learned/tags.csv", tags_text(beliefs)});
-    add_figures(input, path, histories, rounds, mapped, outcome);
+    add_figures(input, *walls, histories, rounds, mapped, outcome);
   }
   return outcome;
 }
