@@ -128,6 +128,81 @@ TEST(Recorder, WhoStandsInTheWayIsToldToo) {
   EXPECT_THAT(end.stuck, ::testing::HasSubstr("stuck by somebody at ("));
 }
 
+// With an antenna to either side.
+Robot robot_with_antennas() {
+  Robot robot = small_robot();
+  RfidModel model;
+  model.round_rate = 2.0;
+  for (const double side : {0.8, -0.8}) {
+    robot.sensors.push_back({.name = side > 0.0 ? "left" : "right",
+                             .robot_from_sensor = {.planar = {0.0, 0.0, side}, .z = 0.5},
+                             .model = model});
+  }
+  return robot;
+}
+
+World room_with_tags() {
+  World world = room_with_path();
+  for (int i = 0; i < 5; ++i) {
+    world.tags.push_back({"tag_" + std::to_string(i), upright({1.0 + i, 4.9, -kPi / 2}, 1.2), 0});
+  }
+  return world;
+}
+
+TEST(Recorder, RoundsOfAReaderComeInTurnAndChangeNothingElse) {
+  const RecorderOptions eight_seconds{.longest = 8.0};
+  const Drive with = recorded(room_with_tags(), robot_with_antennas(), {}, 1, eight_seconds);
+  const Drive without = recorded(room_with_path(), small_robot(), {}, 1, eight_seconds);
+  SensorLog others;
+  std::size_t rounds = 0, reads = 0;
+  for (const Measurement& m : with.log) {
+    const auto* round = std::get_if<RfidDetections>(&m);
+    if (round == nullptr) {
+      others.push_back(m);
+      continue;
+    }
+    EXPECT_EQ(round->antenna, static_cast<int>(rounds % 2));
+    EXPECT_EQ(round->robot_from_antenna.z, 0.5);
+    EXPECT_NEAR(round->time, 0.25 * static_cast<double>(rounds), 1e-9);
+    ++rounds;
+    reads += round->reads.size();
+  }
+  EXPECT_EQ(rounds, 32u) << "each antenna twice a second";
+  EXPECT_GT(reads, 20u);
+  ASSERT_EQ(others.size(), without.log.size());
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    ASSERT_EQ(others[i].index(), without.log[i].index());
+    ASSERT_EQ(time_of(others[i]), time_of(without.log[i]));
+    if (const auto* scan = std::get_if<LaserScan>(&others[i])) {
+      ASSERT_EQ(scan->ranges, std::get<LaserScan>(without.log[i]).ranges);
+    } else {
+      ASSERT_EQ(std::get<Odometry>(others[i]).odometry_from_robot,
+                std::get<Odometry>(without.log[i]).odometry_from_robot);
+    }
+  }
+}
+
+TEST(Recorder, TheTruthOfReadsIsThatOfTheLogReadByRead) {
+  const Robot robot = robot_with_antennas();
+  const Drive drive = recorded(room_with_tags(), robot, {}, 4, {.longest = 8.0});
+  ASSERT_EQ(drive.recording.truth.tags.size(), 5u);
+  EXPECT_EQ(drive.recording.truth.tags[3].world_from_tag.position, Eigen::Vector3d(4.0, 4.9, 1.2));
+  const std::vector<TruthRead> truth = true_reads(drive.recording.readings, robot, Rng(4));
+  std::size_t next = 0;
+  for (const Measurement& m : drive.log) {
+    const auto* round = std::get_if<RfidDetections>(&m);
+    if (round == nullptr) continue;
+    for (const RfidRead& read : round->reads) {
+      ASSERT_LT(next, truth.size());
+      const TruthRead& behind = truth[next++];
+      EXPECT_EQ(behind.time, round->time);
+      EXPECT_EQ(behind.antenna, round->antenna);
+      EXPECT_EQ("tag_" + std::to_string(behind.tag), read.tag);
+    }
+  }
+  EXPECT_EQ(next, truth.size());
+}
+
 TEST(Recorder, TheDriverFollowsItsPathToTheEnd) {
   const Drive run = recorded(room_with_path(), small_robot(), {}, 1);
   EXPECT_TRUE(run.recording.end.is_complete);

@@ -5,6 +5,7 @@
 #include "sim/drivers/car_driver.h"
 #include "sim/drivers/omni_driver.h"
 #include "sim/drivers/scripted_driver.h"
+#include "sim/drivers/turning_driver.h"
 
 namespace mapbed {
 namespace {
@@ -46,6 +47,9 @@ const std::vector<DriverKind>& driver_kinds() {
       kind<CarDriver, CarDriverOptions>(
           "car", "the same with a turning circle: plans arcs, backwards where there is no room",
           any),
+      kind<TurningDriver, TurningDriverOptions>(
+          "turning", "scripted, and turns round on the spot at each point of the path",
+          turns_on_the_spot),
   };
   return kinds;
 }

@@ -242,5 +242,36 @@ TEST(Drivers, EachDriveHasAUsualDriverThatCanDriveIt) {
   EXPECT_FALSE(driver_by_name("omni").can_drive(DriveKind::synchro));
 }
 
+// How far a robot turned within 30 cm of each point of its path. [rad]
+std::vector<double> turned_at_points(const NamedPath& path, const Settings& settings) {
+  const World world = screened_room();
+  const Robot robot = robot_with(DriveKind::differential);
+  const Rng rng(5);
+  Simulation simulation(world, robot, start_of(path), {}, rng);
+  const auto driver = configure_driver("turning", settings).make(simulation, path);
+  std::vector<double> turned(path.points.size(), 0.0);
+  double last = simulation.now().robot.theta;
+  while (!driver->is_done() && simulation.now().time < driver->longest_time()) {
+    simulation.step(driver->command(simulation.now().time));
+    const Pose2& now = simulation.now().robot;
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+      const bool is_there = (now.position() - path.points[i].position).norm() < 0.3;
+      if (is_there) turned[i] += angle_difference(last, now.theta);
+    }
+    last = now.theta;
+  }
+  EXPECT_TRUE(driver->is_done());
+  return turned;
+}
+
+TEST(TurningDriver, TurnsRoundAtEachPointOfThePathTheFirstAndTheLastAsWell) {
+  const NamedPath path{.name = "ahead", .points = {{{1.2, 4.2}}, {{2.6, 4.2}}, {{4.0, 4.2}}}};
+  const double round = 2.0 * std::numbers::pi;
+  for (const double turned : turned_at_points(path, {})) EXPECT_NEAR(turned, round, 0.15);
+  for (const double turned : turned_at_points(path, {{"turns", "-2", {}}})) {
+    EXPECT_NEAR(turned, -2.0 * round, 0.15);
+  }
+}
+
 }  // namespace
 }  // namespace mapbed

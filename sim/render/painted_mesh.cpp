@@ -113,6 +113,16 @@ void paint(PaintedMesh& mesh, const LaserFan& fan) {
   }
 }
 
+void paint(PaintedMesh& mesh, const RfidTag& tag) {
+  const Paint magenta{{0.85, 0.10, 0.60}};
+  const TriangleMesh plate = mesh_of(Box{{0.08, 0.16, 0.16}});
+  for (const auto& [a, b, c] : plate.triangles) {
+    add_shining(mesh.opaque, tag.world_from_tag * plate.vertices[a],
+                tag.world_from_tag * plate.vertices[b], tag.world_from_tag * plate.vertices[c],
+                magenta);
+  }
+}
+
 void paint_line(PaintedMesh& mesh, const std::vector<Eigen::Vector3d>& points, double width,
                 const Eigen::Vector3d& color) {
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {

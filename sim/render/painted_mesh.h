@@ -28,6 +28,9 @@ struct PaintOptions {
 void paint(PaintedMesh& mesh, const Entity& entity, const std::vector<Material>& materials,
            const PaintOptions& options = {});
 
+// A tag: a bright plate of 16 cm where it sticks, that shines by itself.
+void paint(PaintedMesh& mesh, const RfidTag& tag);
+
 // A sweep of a laser: the area it runs through and a spark at every hit.
 struct LaserFan {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();

@@ -21,6 +21,7 @@ PaintedMesh painted(const World& world, const RenderOptions& options, const Visi
   for (const Movable& movable : world.movables) {
     if (visitors.entities.empty()) paint(mesh, movable.entity, world.materials);
   }
+  for (const RfidTag& tag : world.tags) paint(mesh, tag);
   for (const LaserFan& fan : visitors.fans) paint(mesh, fan);
   for (std::size_t i = 0; options.paths && i < world.paths.size(); ++i) {
     std::vector<Eigen::Vector3d> points;

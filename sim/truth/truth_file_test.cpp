@@ -140,7 +140,7 @@ TEST_F(TruthFile, IsReadAsAStream) {
 TEST_F(TruthFile, TagsAndTheirReadsComeBackToo) {
   Truth truth = some_truth(2);
   truth.tags = {{"tag_1", {{1.5, -2.25, 1.1}, rotation_of(0.3, 0.1, -0.2)}, 1},
-                {"tag_2", {{0.1, 0.2, 0.3}, {}}, -1}};
+                {"tag_2", {{0.1, 0.2, 0.3}, rotation_of(0.0, 0.0, 0.0)}, -1}};
   for (int i = 0; i < 40'000; ++i) {  // more than a block holds
     truth.reads.push_back({12.25 + 0.125 * i, i % 3, i % 2, static_cast<ReadMechanism>(i % 4)});
   }

@@ -261,6 +261,37 @@ TEST_F(WorldFile, RefusesWhatCannotStand) {
                      "no routes for them");
 }
 
+TEST_F(WorldFile, HasTagsWithWhatIsBehindThem) {
+  const std::string room =
+      "walls: [{from: [0 m, 0 m], to: [8 m, 0 m], thickness: 20 cm, material: brick}]\ntags:\n";
+  const World world = load(room +
+                           "  - {id: on_wall, at: [2 m, 0.11 m, 1.4 m], facing: 90 deg}\n"
+                           "  - {id: free, at: [2 m, 3 m, 1 m], facing: 180 deg, roll: 90 deg}\n"
+                           "  - {id: told, at: [3 m, 3 m, 1 m], material: metal}\n");
+  ASSERT_EQ(world.tags.size(), 3u);
+  EXPECT_EQ(world.tags[0].id, "on_wall");
+  EXPECT_EQ(world.tags[0].material, material_index(world, "brick"));
+  EXPECT_EQ(world.tags[1].material, RfidTag::kNothing);
+  EXPECT_EQ(world.tags[2].material, material_index(world, "metal"));
+  const auto axis = [&](std::size_t tag, const Eigen::Vector3d& of_tag) {
+    return Eigen::Vector3d(world.tags[tag].world_from_tag.rotation * of_tag);
+  };
+  EXPECT_LT((axis(0, Eigen::Vector3d::UnitX()) - Eigen::Vector3d::UnitY()).norm(), 1e-12);
+  EXPECT_LT((axis(0, Eigen::Vector3d::UnitY()) + Eigen::Vector3d::UnitX()).norm(), 1e-12);
+  EXPECT_LT((axis(1, Eigen::Vector3d::UnitX()) + Eigen::Vector3d::UnitX()).norm(), 1e-12);
+  EXPECT_NEAR(axis(1, Eigen::Vector3d::UnitY()).z(), 1.0, 1e-12);
+
+  const auto refused = [&](const std::string& tags, const std::string& message) {
+    EXPECT_INPUT_ERROR(load(room + tags), message);
+  };
+  refused("  - {id: a, at: [2 m, 0.05 m, 1 m]}\n", "lab.yaml:3: tag 'a' lies inside 'wall'");
+  refused("  - {id: a, at: [2 m, 1 m, 1 m]}\n  - {id: a, at: [3 m, 1 m, 1 m]}\n",
+          "lab.yaml:4: a second tag is called 'a'");
+  refused("  - {id: a b, at: [2 m, 1 m, 1 m]}\n", "lab.yaml:3: the tag's id 'a b' is not one word");
+  refused("  - {id: a, at: [2 m, 1 m]}\n", "lab.yaml:3: a tag's place has three numbers");
+  refused("  - {id: a, at: [2 m, 1 m, 1 m], material: cheese}\n", "unknown material 'cheese'");
+}
+
 TEST_F(WorldFile, RefusesDamagedMeshesAndPlansByLine) {
   write("bad.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n");
   EXPECT_INPUT_ERROR(load("shapes: [{mesh: bad.obj}]\n"), "bad.obj:3: face corner '3'");
