@@ -156,17 +156,18 @@ double logistic(double x) {
   return 1.0 / (1.0 + std::exp(-x));
 }
 
-// Any numbers stand for parameters that make sense.
+// Any numbers stand for parameters that make sense. Power over softness is what counts, so that the
+// scale of decibels is free: it is the one by which power falls off as in free space.
 SmoothAntenna antenna_of(const std::vector<double>& p) {
   SmoothAntenna a;
+  a.falloff = 20.0;
   a.direction = p[0];
   a.beam_width = std::exp(p[1]);
   a.back = std::exp(p[2]);
   a.level = p[3];
-  a.falloff = std::exp(p[4]);
-  a.softness = std::exp(p[5]);
-  a.most = logistic(p[6]);
-  a.least = 0.2 * logistic(p[7]);
+  a.softness = std::exp(p[4]);
+  a.most = logistic(p[5]);
+  a.least = 0.2 * logistic(p[6]);
   return a;
 }
 
@@ -259,15 +260,10 @@ SmoothAntenna fitted_smooth(std::span<const CalibrationReading> readings) {
     return negative_log_likelihood(antenna_of(p), heaps);
   };
   const SmoothAntenna usual;
-  const std::vector<double> start{0.0,
-                                  std::log(usual.beam_width),
-                                  std::log(usual.back),
-                                  usual.level,
-                                  std::log(usual.falloff),
-                                  std::log(usual.softness),
-                                  3.0,
+  const std::vector<double> start{0.0,         std::log(usual.beam_width), std::log(usual.back),
+                                  usual.level, std::log(usual.softness),   3.0,
                                   -3.0};
-  const std::vector<double> step{0.2, 0.3, 0.3, 3.0, 0.2, 0.5, 1.0, 1.0};
+  const std::vector<double> step{0.2, 0.3, 0.3, 3.0, 0.5, 1.0, 1.0};
   SmoothAntenna antenna = antenna_of(minimized(cost, start, step));
   fit_rssi(readings, antenna);
   return antenna;

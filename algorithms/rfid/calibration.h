@@ -30,7 +30,8 @@ HistogramAntenna counted_histogram(std::span<const CalibrationReading> readings,
 // Arc, disc and rates of greatest likelihood, on a lattice of 2.5 degrees and 0.1 m.
 PiecewiseAntenna fitted_piecewise(std::span<const CalibrationReading> readings);
 
-// All parameters of greatest likelihood, the strength of answers by least squares.
+// All parameters of greatest likelihood but the falloff, which is free space's: the scale of
+// decibels would be free else. The strength of answers by least squares.
 SmoothAntenna fitted_smooth(std::span<const CalibrationReading> readings);
 
 // Mean of ln p(z | x, r) over readings that need not be those it was learned from.

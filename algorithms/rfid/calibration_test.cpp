@@ -51,7 +51,7 @@ TEST(Calibration, FindsTheParametersOfASmoothAntenna) {
                             .beam_width = radians(60.0),
                             .back = 12.0,
                             .level = 14.0,
-                            .falloff = 22.0,
+                            .falloff = 20.0,
                             .softness = 3.0,
                             .most = 0.9,
                             .least = 0.02,

@@ -28,13 +28,14 @@ struct RfidSensorModelOptions {
 template <class Visitor>
 void visit_fields(RfidSensorModelOptions& o, Visitor&& visit) {
   visit("cell_size", o.cell_size, Unit::meter, between(0.1, 5.0), "of the histogram");
-  visit("reach", o.reach, Unit::meter, between(1.0, 50.0), "of the histogram, to each side");
+  visit("reach", o.reach, Unit::meter, between(1.0, 50.0),
+        "of the histogram, to each side; tags farther away are not read");
 }
 
 using Readings = std::vector<CalibrationReading>;
 
-// By antenna: each round is a reading of every tag.
-std::vector<Readings> readings_in(const LogInput& drive, std::size_t antennas) {
+// By antenna: each round is a reading of every tag within `reach` [m].
+std::vector<Readings> readings_in(const LogInput& drive, std::size_t antennas, double reach) {
   std::vector<Readings> readings(antennas);
   for (const PosedRound& posed : posed_rounds(drive.log, drive.truth)) {
     if (static_cast<std::size_t>(posed.round->antenna) >= antennas) continue;
@@ -42,6 +43,7 @@ std::vector<Readings> readings_in(const LogInput& drive, std::size_t antennas) {
     for (const RfidTag& tag : drive.world->tags) {
       const Eigen::Vector2d place = tag.world_from_tag.position.head<2>();
       CalibrationReading reading{antenna_from_world * place};
+      if (reading.tag_in_antenna.norm() > reach) continue;
       for (const RfidRead& read : posed.round->reads) {
         if (read.tag != tag.id) continue;
         reading.detected = true;
@@ -124,7 +126,7 @@ void add_files(const std::vector<LearnedAntenna>& learned, const RunInput& input
     histogram.push_back(antenna.histogram);
     smooth.push_back(antenna.smooth);
   }
-  const std::string comment = fmt::format("# Learned by ch7_sensor_model, seed {}.\n", input.seed);
+  const std::string comment = fmt::format("# Learned by\n#   ./mapbed run ch7_sensor_model --seed {} --set seeds=1\n", input.seed);
   outcome.files.push_back({"learned/piecewise.yaml", to_yaml(piecewise, comment)});
   outcome.files.push_back({"learned/histogram.yaml", to_yaml(histogram, comment)});
   outcome.files.push_back({"learned/smooth.yaml", to_yaml(smooth, comment)});
@@ -142,7 +144,7 @@ RunOutcome run(const RfidSensorModelOptions& options, const RunInput& input) {
     throw InputError({}, "the world has no RFID tags", "choose one with tags, as rfid_calibration");
   }
   const auto antennas = static_cast<std::size_t>(antennas_in(input.log));
-  const std::vector<Readings> readings = readings_in(input, antennas);
+  const std::vector<Readings> readings = readings_in(input, antennas, options.reach);
   std::vector<LearnedAntenna> learned;
   RunOutcome outcome;
   for (std::size_t a = 0; a < antennas; ++a) {
@@ -152,8 +154,10 @@ RunOutcome run(const RfidSensorModelOptions& options, const RunInput& input) {
     learned.push_back(learned_from(readings[a], options));
     if (a < kSides.size()) tell(kSides[a], learned[a], readings[a], outcome);
   }
-  tell_losses(learned, readings_in(input.further.at("held_out"), antennas), "", outcome);
-  tell_losses(learned, readings_in(input.further.at("office"), antennas), "office_", outcome);
+  tell_losses(learned, readings_in(input.further.at("held_out"), antennas, options.reach), "",
+              outcome);
+  tell_losses(learned, readings_in(input.further.at("office"), antennas, options.reach), "office_",
+              outcome);
   if (antennas > 1) {
     outcome.values.emplace_back("level_difference",
                                 learned[0].smooth.level - learned[1].smooth.level);
