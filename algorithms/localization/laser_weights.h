@@ -34,10 +34,11 @@ void visit_fields(LaserWeightOptions& o, Visitor&& visit) {
 // A scan by the end points of its beams, section 2.2.4, each a hit with the noise of laser and map
 // or anything else. Beams without return say nothing: they are alike for all particles.
 //
-// Whether a scan is of this map at all is told by how much of it the map explains. At the right
-// place that is the inlier ratio v1; what it is by chance, v0, the map itself says: it is the most
-// that it explains of this scan in other places, which are searched for it from random ones. Of n
-// points with a fraction f explained the odds are those of draws,
+// Whether a scan is of this map at all is told by how much of it the map explains, of the n points
+// that end where it tells anything: a room that nobody looked into says nothing. At the right place
+// that is the inlier ratio v1; what it is by chance, v0, the map itself says: it is the most that
+// it explains of this scan in other places, which are searched for it from random ones. With a
+// fraction f explained the odds are those of draws,
 //
 //   ln o = n (f ln(v1 / v0) + (1 - f) ln((1 - v1) / (1 - v0))).
 //
@@ -49,12 +50,17 @@ class LaserWeights : public ParticleWeights {
   bool take(const Measurement& measurement, std::span<const float> beam_weights) override;
   void add_log_weights(std::span<const Pose2> map_from_robot,
                        std::span<double> log_weights) const override;
-  double readings() const override { return options_.beam_weight * points_.total_weight(); }
+  double likelihood_of_reading(const Pose2& map_from_robot) const override;
   std::optional<Pose2> propose(Rng& rng) const override;
   std::optional<double> log_odds_of_map(const Pose2& map_from_robot) const override;
 
-  // Of the newest scan: f at a pose, and v0, the most of it in places that are not this one.
-  double explained(const Pose2& map_from_robot) const;
+  // Of the newest scan at a pose: n, and f.
+  struct Explained {
+    double points = 0.0;
+    double fraction = 0.0;
+  };
+  Explained explained(const Pose2& map_from_robot) const;
+  // v0: of other places where the map tells of nearly as much of the scan.
   double explained_elsewhere(const Pose2& map_from_robot) const;
 
  private:
@@ -62,7 +68,6 @@ class LaserWeights : public ParticleWeights {
     Pose2 map_from_robot;
     float log;  // sum of the points'
   };
-  double fraction_of(float log) const;  // of the points: how many the map explains
   Place climbed(Place place) const;
   void look_for_places();
 

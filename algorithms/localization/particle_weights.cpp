@@ -1,10 +1,17 @@
 #include "algorithms/localization/particle_weights.h"
 
+#include <cmath>
 #include <vector>
 
 #include "algorithms/particles/resampling.h"
 
 namespace mapbed {
+
+double ParticleWeights::likelihood_of_reading(const Pose2& map_from_robot) const {
+  double log = 0.0;
+  add_log_weights({&map_from_robot, 1}, {&log, 1});
+  return std::exp(log);
+}
 
 Pose2 drawn_by(const ParticleWeights& weights, std::span<const Pose2> map_from_robot, Rng& rng) {
   std::vector<double> logs(map_from_robot.size(), 0.0);

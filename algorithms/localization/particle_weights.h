@@ -28,8 +28,9 @@ class ParticleWeights {
   virtual void add_log_weights(std::span<const Pose2> map_from_robot,
                                std::span<double> log_weights) const = 0;
 
-  // So many independent readings it consists of: likelihoods are compared over time by their mean.
-  virtual double readings() const { return 1.0; }
+  // The likelihood of one of the readings that it consists of, on average, seen from a pose:
+  // compared over time it shows that measurements get unlikely.
+  virtual double likelihood_of_reading(const Pose2& map_from_robot) const;
 
   // A pose drawn from where the measurement may have been made, whatever was believed before: by
   // that, particles begin and come back. None: it may be anywhere.
