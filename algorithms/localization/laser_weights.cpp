@@ -83,17 +83,24 @@ void LaserWeights::look_for_places() {
   for (Place& place : best_) place = climbed(place);
 }
 
-void LaserWeights::add_log_weights(std::span<const Pose2> map_from_robot,
-                                   std::span<double> log_weights) const {
+std::vector<double> LaserWeights::by_end_points(std::span<const Pose2> map_from_robot) const {
   std::vector<float> sums(map_from_robot.size());
   table_.sums(map_from_robot, points_, sums);
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    log_weights[i] += options_.beam_weight * double{sums[i]};
-  }
+  std::vector<double> logs;
+  logs.reserve(sums.size());
+  for (const float sum : sums) logs.push_back(options_.beam_weight * double{sum});
+  return logs;
+}
+
+void LaserWeights::add_log_weights(std::span<const Pose2> map_from_robot,
+                                   std::span<double> log_weights) const {
+  const std::vector<double> logs = by_end_points(map_from_robot);
+  for (std::size_t i = 0; i < logs.size(); ++i) log_weights[i] += logs[i];
 }
 
 std::optional<Pose2> LaserWeights::propose(Rng& rng) const {
-  return drawn_by(*this, places(space_, kTried, rng), rng);
+  const std::vector<Pose2> tried = places(space_, kTried, rng);
+  return drawn_by(by_end_points(tried), tried, rng);
 }
 
 LaserWeights::Explained LaserWeights::explained(const Pose2& map_from_robot) const {

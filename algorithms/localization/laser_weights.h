@@ -11,17 +11,23 @@
 
 namespace mapbed {
 
+enum class LaserModel : int { likelihood_field, beam };
+
 struct LaserWeightOptions {
+  LaserModel model = LaserModel::likelihood_field;
   double sigma = 0.1;          // [m] of an end point about the mapped surface: noise, map, pose
   double inlier_ratio = 0.85;  // of beams that the map explains
   // Neighbouring beams meet the same surfaces with the same errors of the map, so the logarithm of
   // their product counts with this fraction.
   double beam_weight = 0.1;
   HitPointOptions points{.max_range = 30.0, .min_spacing = 0.1, .max_points = 90};
+  double through_wall = 0.1;  // of model beam
 };
 
 template <class Visitor>
 void visit_fields(LaserWeightOptions& o, Visitor&& visit) {
+  visit("model", o.model, {"likelihood_field", "beam"},
+        "scans by where their beams end, or also by what these go through, which is slower");
   visit("sigma", o.sigma, Unit::meter, between(0.001, 2.0),
         "sigma of end points about the mapped surface");
   visit("inlier_ratio", o.inlier_ratio, between(0.01, 0.999),
@@ -29,6 +35,9 @@ void visit_fields(LaserWeightOptions& o, Visitor&& visit) {
   visit("beam_weight", o.beam_weight, between(0.001, 1.0),
         "fraction with which a beam counts, as neighbouring beams err alike");
   visit("points", o.points, "which points of a scan weight the particles");
+  visit("through_wall", o.through_wall, between(1e-6, 1.0),
+        "of model beam: likelihood of a beam that goes on behind a wall, of that of one that ends "
+        "before it");
 }
 
 // A scan by the end points of its beams, section 2.2.4, each a hit with the noise of laser and map
@@ -63,11 +72,16 @@ class LaserWeights : public ParticleWeights {
   // v0: of other places where the map tells of nearly as much of the scan.
   double explained_elsewhere(const Pose2& map_from_robot) const;
 
+ protected:
+  const LaserWeightOptions& options() const { return options_; }
+  const FreeSpace& space() const { return space_; }
+
  private:
   struct Place {
     Pose2 map_from_robot;
     float log;  // sum of the points'
   };
+  std::vector<double> by_end_points(std::span<const Pose2> map_from_robot) const;
   Place climbed(Place place) const;
   void look_for_places();
 

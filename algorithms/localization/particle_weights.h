@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/geometry/pose2.h"
 #include "core/random.h"
@@ -41,7 +42,10 @@ class ParticleWeights {
   virtual std::optional<double> log_odds_of_map(const Pose2& map_from_robot) const = 0;
 };
 
-// One of the poses, drawn by how likely the measurement is from there. Not for an empty list.
+// One of the poses, drawn by ln p(z | x) of each, or by how likely the measurement is from there.
+// Not for an empty list.
+Pose2 drawn_by(const std::vector<double>& log_weights, std::span<const Pose2> map_from_robot,
+               Rng& rng);
 Pose2 drawn_by(const ParticleWeights& weights, std::span<const Pose2> map_from_robot, Rng& rng);
 
 }  // namespace mapbed
