@@ -29,22 +29,65 @@ double mean_cosine_of(double kappa) {
   return (log_bessel_0(kappa + kStep) - log_bessel_0(std::abs(kappa - kStep))) / (2.0 * kStep);
 }
 
-// Neighbours share their channels, so that sums are taken at one go.
-double agreement(std::span<const PhaseReading* const> by_channel,
-                 std::span<const Eigen::Vector3d> reference, const Eigen::Vector3d& shift,
-                 int turns) {
-  double total = 0.0;
-  std::complex<double> sum = 0.0;
-  for (std::size_t i = 0; i < by_channel.size(); ++i) {
-    const PhaseReading& reading = *by_channel[i];
-    if (i > 0 && reading.channel != by_channel[i - 1]->channel) {
-      total += std::abs(sum);
-      sum = 0.0;
+// Readings by channel, as lattices of shifts are searched with them.
+class ShiftSearch {
+ public:
+  ShiftSearch(std::span<const PhaseReading> readings, std::span<const Eigen::Vector3d> reference,
+              int turns)
+      : turns_(turns), readings_(readings.begin(), readings.end()) {
+    std::vector<std::size_t> order(readings.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return readings[a].channel < readings[b].channel;
+    });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      readings_[i] = readings[order[i]];
+      readings_[i].place += reference[order[i]];
+      per_meter_.push_back(2.0 * turns / readings_[i].wavelength);
     }
-    sum += reading.mean * std::polar(1.0, -expected_phase(reading, reference[i] + shift, turns));
+    for (int i = 0; i < kParts; ++i) {
+      circle_.push_back(std::polar(1.0, -2.0 * kPi * (i + 0.5) / kParts));
+    }
   }
-  return total + std::abs(sum);
-}
+
+  double agreement(const Eigen::Vector3d& shift) const {
+    return summed([&](std::size_t i) {
+      return std::polar(1.0, -expected_phase(readings_[i], shift, turns_));
+    });
+  }
+  // The same to 1 in 1000, by a circle in so many parts.
+  double about(const Eigen::Vector3d& shift) const {
+    return summed([&](std::size_t i) {
+      const double turned = (readings_[i].place + shift).norm() * per_meter_[i];
+      const double part = turned - static_cast<double>(static_cast<long>(turned));
+      return circle_[static_cast<std::size_t>(part * kParts)];
+    });
+  }
+
+ private:
+  static constexpr int kParts = 4096;
+
+  template <class Turn>
+  double summed(const Turn& turn) const {
+    double total = 0.0, real = 0.0, imaginary = 0.0;
+    for (std::size_t i = 0; i < readings_.size(); ++i) {
+      if (i > 0 && readings_[i].channel != readings_[i - 1].channel) {
+        total += std::hypot(real, imaginary);
+        real = imaginary = 0.0;
+      }
+      const std::complex<double> by = turn(i);
+      const std::complex<double>& mean = readings_[i].mean;
+      real += mean.real() * by.real() - mean.imag() * by.imag();
+      imaginary += mean.real() * by.imag() + mean.imag() * by.real();
+    }
+    return total + std::hypot(real, imaginary);
+  }
+
+  int turns_ = 1;
+  std::vector<PhaseReading> readings_;
+  std::vector<double> per_meter_;  // turns of the phase
+  std::vector<std::complex<double>> circle_;
+};
 
 }  // namespace
 
@@ -66,17 +109,7 @@ Eigen::Vector3d best_shift(std::span<const PhaseReading> readings,
                            std::span<const Eigen::Vector3d> reference, double half_side,
                            int turns) {
   if (readings.empty()) return Eigen::Vector3d::Zero();
-  std::vector<std::size_t> order(readings.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return readings[a].channel < readings[b].channel;
-  });
-  std::vector<const PhaseReading*> by_channel;
-  std::vector<Eigen::Vector3d> besides;
-  for (const std::size_t i : order) {
-    by_channel.push_back(&readings[i]);
-    besides.push_back(reference[i]);
-  }
+  const ShiftSearch search(readings, reference, turns);
   const int steps =
       std::max(1, static_cast<int>(std::ceil(14.0 * turns * half_side / readings[0].wavelength)));
   const double step = half_side / steps;
@@ -86,7 +119,7 @@ Eigen::Vector3d best_shift(std::span<const PhaseReading> readings,
     for (int y = -steps; y <= steps; ++y) {
       for (int z = -steps; z <= steps; ++z) {
         const Eigen::Vector3d shift(step * x, step * y, step * z);
-        const double value = agreement(by_channel, besides, shift, turns);
+        const double value = search.about(shift);
         if (value <= most) continue;
         most = value;
         best = shift;
@@ -94,7 +127,7 @@ Eigen::Vector3d best_shift(std::span<const PhaseReading> readings,
     }
   }
   const auto cost = [&](const std::vector<double>& at) {
-    return -agreement(by_channel, besides, {at[0], at[1], at[2]}, turns);
+    return -search.agreement({at[0], at[1], at[2]});
   };
   const std::vector<double> fine =
       minimized(cost, {best.x(), best.y(), best.z()}, {0.5 * step, 0.5 * step, 0.5 * step});

@@ -13,8 +13,9 @@ namespace mapbed {
 // Of all reads of a tag at a place by an antenna on a carrier: the mean of exp(j m phi). m = 2
 // where a reader tells phases but for half a turn.
 struct PhaseReading {
-  int channel = 0;        // antenna, carrier and tag: these share an offset that nobody knows
-  Eigen::Vector3d place;  // [m] of the tag from the antenna, as far as it is known
+  int channel = 0;  // antenna, carrier and tag: these share an offset that nobody knows
+  // [m] of the tag from the antenna, as far as it is known
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
   double wavelength = 0.0;
   double reads = 0.0;
   std::complex<double> mean;

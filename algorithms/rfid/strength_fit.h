@@ -14,8 +14,8 @@ namespace mapbed {
 struct StrengthReading {
   int antenna = 0;
   int tag = 0;
-  Eigen::Vector3d place;  // [m]
-  double strength = 0.0;  // [dBm]
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  // [m]
+  double strength = 0.0;                            // [dBm]
 };
 
 // Which parts of a StrengthModel are fitted; others stay as nothing, a beam as none at all.
