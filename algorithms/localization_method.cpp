@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "algorithms/localization/beam_model_weights.h"
 #include "algorithms/localization/monte_carlo_localizer.h"
 #include "algorithms/motion/motion_learning.h"
 #include "algorithms/rfid/learned_rfid.h"
@@ -78,8 +79,7 @@ MonteCarloLocalizer::AllWeights weights_of(const Setup& setup, const Given& give
     }
   }
   if (options.sensors != LocalizationSensors::rfid) {
-    weights.push_back(
-        std::make_unique<LaserWeights>(options.monte_carlo.laser, space, rng.stream("laser")));
+    weights.push_back(make_laser_weights(options.monte_carlo.laser, space, rng.stream("laser")));
   }
   return weights;
 }

@@ -37,11 +37,12 @@ MAPBED_INLINE_LOOP inline float clamped(float x, float largest) {
 
 EndPointTable::EndPointTable(const OccupancyMap& map, double sigma, double inlier_ratio)
     : frame_(map.frame()), mixture_(sigma / map.resolution(), inlier_ratio, kReach, kSteps) {
-  const CellBox box = map.box_where(is_occupied);
+  const CellBox box = known_box(map);
   const int radius = static_cast<int>(std::ceil(kReach * sigma / map.resolution()));
   if (box.empty()) {
     width_ = height_ = 1;
-    logs_.assign(1, static_cast<float>(mixture_.outlier_log()));
+    logs_.assign(1, static_cast<float>(outlier_log()));
+    is_told_.assign(1, false);
     return;
   }
   corner_ = {box.min.x - radius - 1, box.min.y - radius - 1};
@@ -61,10 +62,16 @@ EndPointTable::EndPointTable(const OccupancyMap& map, double sigma, double inlie
     }
   });
   logs_.resize(cells);
-  std::transform(squared.begin(), squared.end(), logs_.begin(), [&](int d) {
-    return d > radius * radius ? static_cast<float>(mixture_.outlier_log())
-                               : mixture_.log_at(static_cast<float>(d));
-  });
+  is_told_.resize(cells);
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      const auto i = static_cast<std::size_t>(y * width_ + x);
+      const bool is_far = squared[i] > radius * radius;
+      logs_[i] = is_far ? static_cast<float>(outlier_log())
+                        : mixture_.log_at(static_cast<float>(squared[i]));
+      is_told_[i] = !is_far || map[{corner_.x + x, corner_.y + y}].known();
+    }
+  }
 }
 
 std::size_t EndPointTable::index_of(float x, float y) const {
@@ -89,6 +96,21 @@ float EndPointTable::sum(const Pose2& map_from_robot, const FieldPoints& points)
     sum += weight * logs_[index_of(x, y)];
   }
   return sum;
+}
+
+EndPointTable::Told EndPointTable::told(const Pose2& map_from_robot,
+                                        const FieldPoints& points) const {
+  const Turning t = turning(map_from_robot, frame_, corner_);
+  Told told;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::size_t index = index_of(t.c * points.x[k] - t.s * points.y[k] + t.x,
+                                       t.s * points.x[k] + t.c * points.y[k] + t.y);
+    if (!is_told_[index]) continue;
+    const double weight = points.weights.empty() ? 1.0 : double{points.weights[k]};
+    told.weight += weight;
+    told.log += weight * double{logs_[index]};
+  }
+  return told;
 }
 
 void EndPointTable::sums(std::span<const Pose2> map_from_robot, const FieldPoints& points,

@@ -14,8 +14,9 @@ namespace mapbed {
 
 // How likely a beam's end is in each cell of a map, by its distance to the nearest occupied one
 // (HitMixture): section 2.2.4's end points for a map that is given and stays as it is. One float a
-// cell and one look-up a beam, for as many particles as a global search needs; what lies outside is
-// like what is far from everything.
+// cell and one look-up a beam, for as many particles as a global search needs. An end where nothing
+// is known counts as one far from everything, so that no place is likely for what the map does not
+// show.
 class EndPointTable {
  public:
   EndPointTable(const OccupancyMap& map, double sigma, double inlier_ratio);  // [m]
@@ -32,6 +33,13 @@ class EndPointTable {
   // The same for one pose, point by point: what sums() is tested against.
   float sum(const Pose2& map_from_robot, const FieldPoints& points) const;
 
+  // Of the points that end where the map tells anything: their weight, and the sum of their logs.
+  struct Told {
+    double weight = 0.0;
+    double log = 0.0;
+  };
+  Told told(const Pose2& map_from_robot, const FieldPoints& points) const;
+
  private:
   std::size_t index_of(float x, float y) const;
 
@@ -39,7 +47,8 @@ class EndPointTable {
   CellIndex corner_;  // of the table, a cell outside the map
   int width_ = 0, height_ = 0;
   HitMixture mixture_;
-  std::vector<float> logs_;  // row by row
+  std::vector<float> logs_;    // row by row
+  std::vector<bool> is_told_;  // the cell is known, or a wall is near
 };
 
 }  // namespace mapbed

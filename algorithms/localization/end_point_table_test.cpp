@@ -14,11 +14,13 @@ namespace {
 
 constexpr double kSigma = 0.1, kInlierRatio = 0.85;
 
-// A wall along y = 1 m from x = 0 to 2 m, cells of 5 cm; its cells' centres lie at y = 1.025 m.
+// Free ground of 2 m x 3 m but for a wall along y = 1 m, cells of 5 cm; the wall's centres lie at
+// y = 1.025 m.
 OccupancyMap wall() {
   OccupancyMap map(0.05);
-  for (int x = 0; x < 40; ++x) map.at({x, 20}) = known(1.0);
-  for (int x = 0; x < 40; ++x) map.at({x, 5}) = known(0.0);
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 0; x < 40; ++x) map.at({x, y}) = known(y == 20 ? 1.0 : 0.0);
+  }
   return map;
 }
 
@@ -42,14 +44,24 @@ TEST(EndPointTable, IsTheMixtureOfTheDistanceToTheNearestOccupiedCell) {
   }
 }
 
-TEST(EndPointTable, WhatIsFarFromWallsOrOutsideTheMapIsAnOutlier) {
+TEST(EndPointTable, WhatIsFarFromWallsOnKnownGroundIsAnOutlier) {
   const EndPointTable table(wall(), kSigma, kInlierRatio);
   const float outlier = static_cast<float>(std::log(1 - kInlierRatio));
-  for (const Eigen::Vector2d& point : {Eigen::Vector2d(1.0, 0.3), Eigen::Vector2d(1.0, 90.0),
-                                       Eigen::Vector2d(-1e6, 1.025), Eigen::Vector2d(1e9, -1e9)}) {
-    EXPECT_FLOAT_EQ(table.log_at(point), outlier) << point.transpose();
-  }
-  EXPECT_FLOAT_EQ(EndPointTable(OccupancyMap(0.05), kSigma, kInlierRatio).log_at({0, 0}), outlier);
+  EXPECT_FLOAT_EQ(table.log_at({1.0, 0.3}), outlier);
+  EXPECT_FLOAT_EQ(table.log_at({1.0, 2.9}), outlier);
+}
+
+TEST(EndPointTable, TellsWhatEndsWhereNothingIsKnown) {
+  const EndPointTable table(wall(), kSigma, kInlierRatio);
+  const float outlier = static_cast<float>(std::log(1 - kInlierRatio));
+  // On the wall; beside it, where nothing is known; beyond the map, twice.
+  const FieldPoints points = to_field_points(
+      {{1.025, 1.025}, {2.025, 1.025}, {1.0, 3.2}, {-1e6, 1.025}}, 0.05, {1.0F, 1.0F, 1.0F, 0.5F});
+  const EndPointTable::Told told = table.told({}, points);
+  EXPECT_EQ(told.weight, 2.0);
+  EXPECT_NEAR(told.log, std::log(kInlierRatio * std::exp(-0.125) + 1 - kInlierRatio), 1e-3);
+  EXPECT_NEAR(table.sum({}, points), told.log + 1.5 * double{outlier}, 1e-4);
+  EXPECT_EQ(EndPointTable(OccupancyMap(0.05), kSigma, kInlierRatio).told({}, points).weight, 0.0);
 }
 
 TEST(EndPointTable, GivesTheBytesOfThePlainSumForAnyProcessorAndNumberOfThreads) {

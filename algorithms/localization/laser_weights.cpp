@@ -20,6 +20,7 @@ constexpr double kLastStep = 0.04;         // [m]
 constexpr double kTurnPerStep = 0.5;       // [rad/m]
 constexpr double kOtherPlace = 1.0;        // [m] from a pose: another place
 constexpr double kOtherHeading = 0.5;      // [rad] the same
+constexpr double kAsMany = 0.8;            // of the points that the map tells of here
 constexpr double kLeastDifference = 0.05;  // of v0 to v1
 constexpr std::size_t kTried = 32;         // places, of which one is proposed
 
@@ -82,34 +83,47 @@ void LaserWeights::look_for_places() {
   for (Place& place : best_) place = climbed(place);
 }
 
-void LaserWeights::add_log_weights(std::span<const Pose2> map_from_robot,
-                                   std::span<double> log_weights) const {
+std::vector<double> LaserWeights::by_end_points(std::span<const Pose2> map_from_robot) const {
   std::vector<float> sums(map_from_robot.size());
   table_.sums(map_from_robot, points_, sums);
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    log_weights[i] += options_.beam_weight * double{sums[i]};
-  }
+  std::vector<double> logs;
+  logs.reserve(sums.size());
+  for (const float sum : sums) logs.push_back(options_.beam_weight * double{sum});
+  return logs;
+}
+
+void LaserWeights::add_log_weights(std::span<const Pose2> map_from_robot,
+                                   std::span<double> log_weights) const {
+  const std::vector<double> logs = by_end_points(map_from_robot);
+  for (std::size_t i = 0; i < logs.size(); ++i) log_weights[i] += logs[i];
 }
 
 std::optional<Pose2> LaserWeights::propose(Rng& rng) const {
-  return drawn_by(*this, places(space_, kTried, rng), rng);
+  const std::vector<Pose2> tried = places(space_, kTried, rng);
+  return drawn_by(by_end_points(tried), tried, rng);
 }
 
-double LaserWeights::fraction_of(float log) const {
-  return inlier_ratio(double{log}, table_.outlier_log() * points_.total_weight());
+LaserWeights::Explained LaserWeights::explained(const Pose2& map_from_robot) const {
+  const EndPointTable::Told told = table_.told(map_from_robot, points_);
+  if (told.weight == 0.0) return {};
+  return {told.weight, inlier_ratio(told.log, table_.outlier_log() * told.weight)};
 }
 
-double LaserWeights::explained(const Pose2& map_from_robot) const {
-  return fraction_of(table_.sum(map_from_robot, points_));
+double LaserWeights::likelihood_of_reading(const Pose2& map_from_robot) const {
+  const EndPointTable::Told told = table_.told(map_from_robot, points_);
+  return told.weight > 0.0 ? std::exp(told.log / told.weight) : 1.0;
 }
 
 double LaserWeights::explained_elsewhere(const Pose2& map_from_robot) const {
+  const double as_many = kAsMany * explained(map_from_robot).points;
   double most = 0.0;
   for (const Place& place : best_) {
     const bool is_here = distance(place.map_from_robot, map_from_robot) < kOtherPlace &&
                          std::abs(angle_difference(place.map_from_robot.theta,
                                                    map_from_robot.theta)) < kOtherHeading;
-    if (!is_here) most = std::max(most, fraction_of(place.log));
+    if (is_here) continue;
+    const Explained there = explained(place.map_from_robot);
+    if (there.points >= as_many) most = std::max(most, there.fraction);
   }
   return most;
 }
@@ -118,9 +132,9 @@ std::optional<double> LaserWeights::log_odds_of_map(const Pose2& map_from_robot)
   const double v1 = options_.inlier_ratio;
   // Where all looks alike, as in a long corridor, what fits still speaks for the map.
   const double v0 = std::clamp(explained_elsewhere(map_from_robot), 0.01, v1 - kLeastDifference);
-  const double f = explained(map_from_robot);
+  const auto [n, f] = explained(map_from_robot);
   const double odds = f * std::log(v1 / v0) + (1.0 - f) * std::log((1.0 - v1) / (1.0 - v0));
-  return readings() * odds;
+  return options_.beam_weight * n * odds;
 }
 
 }  // namespace mapbed

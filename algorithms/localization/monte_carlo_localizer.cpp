@@ -13,7 +13,9 @@
 namespace mapbed {
 namespace {
 
-constexpr std::size_t kTried = 32;  // poses, of which one is drawn by a measurement
+constexpr double kSamePlace = 1.0;    // [m] from where the robot was taken to be, or less
+constexpr double kSameHeading = 0.5;  // [rad] the same
+constexpr std::size_t kTried = 32;    // poses, of which one is drawn by a measurement
 
 Pose2 drawn_about(const Pose2& pose, double sigma, double turn_sigma, Rng& rng) {
   const double x = rng.normal(pose.x, sigma);
@@ -45,13 +47,16 @@ void MonteCarloLocalizer::add(const Measurement& measurement, std::span<const fl
   for (std::size_t sensor = 0; sensor < weights_.size(); ++sensor) {
     ParticleWeights& weights = *weights_[sensor];
     if (!is_due(sensor, time) || !weights.take(measurement, beam_weights)) continue;
-    const bool has_moved = !poses_.empty();
-    if (has_moved) move_until(time);
-    const bool is_drawn_by_it = !has_moved && begin(weights);
+    const bool begins = poses_.empty();
+    const Pose2 predicted = pose_at(time);
+    if (!begins) move_until(time);
+    const bool is_drawn_by_it = begins && begin(weights);
     updated_ = time;
     odometry_at_update_ = odometry_.at(time);
     taken_[sensor] = {time, odometry_at_update_};
     weigh(sensor, is_drawn_by_it);
+    judge(weights, begins ? answer_.mean : predicted);
+    draw_anew(sensor);
     ++updates_;
   }
   if (scan != nullptr) tell_pose(time, of_scans_);
@@ -123,35 +128,58 @@ void MonteCarloLocalizer::move_until(double time) {
   }
 }
 
-// The correction of (7.3), and what follows from it.
+// The correction of (7.3).
 void MonteCarloLocalizer::weigh(std::size_t sensor, bool is_drawn_by_it) {
-  const ParticleWeights& weights = *weights_[sensor];
-  const std::vector<double> before = normalized(log_weights_);
-  std::vector<double> likelihoods(poses_.size(), 0.0);
-  weights.add_log_weights(poses_, likelihoods);
-  double mean = 0.0;
-  for (std::size_t i = 0; i < poses_.size(); ++i) {
-    mean += before[i] * std::exp(likelihoods[i]);
-    if (!is_drawn_by_it) log_weights_[i] += likelihoods[i];
+  if (!is_drawn_by_it) {
+    const std::vector<double> before = normalized(log_weights_);
+    std::vector<double> logs(poses_.size(), 0.0);
+    weights_[sensor]->add_log_weights(poses_, logs);
+    likelihood_ = 0.0;
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      likelihood_ += before[i] * std::exp(logs[i]);
+      log_weights_[i] += logs[i];
+    }
   }
-  likelihoods_[sensor].add(std::pow(mean, 1.0 / weights.readings()));
-  const std::vector<double> after = normalized(log_weights_);
-  answer_ = answer_of(poses_, after, options_.bins);
-  const bool is_narrow = answer_.largest_sigma() <= options_.known_sigma;
+  answer_ = answer_of(poses_, normalized(log_weights_), options_.bins);
+  if (is_narrow()) likelihoods_[sensor].add(weights_[sensor]->likelihood_of_reading(answer_.mean));
+}
+
+// Whether the robot is there. What was believed of another place says nothing of this one.
+void MonteCarloLocalizer::judge(const ParticleWeights& weights, const Pose2& predicted) {
+  const bool is_same_place =
+      distance(answer_.mean, predicted) <= kSamePlace &&
+      std::abs(angle_difference(answer_.mean.theta, predicted.theta)) <= kSameHeading;
+  if (!is_same_place) place_.doubt();
   const std::optional<double> odds = weights.log_odds_of_map(answer_.mean);
-  if (odds) place_.add(is_narrow ? *odds : 0.0);
-  draw_anew(sensor);
+  if (odds) place_.add(is_narrow() ? *odds : 0.0);
+}
+
+// Of the particles, to be drawn anywhere: the robot is rather not where it is taken to be.
+double MonteCarloLocalizer::doubt() const {
+  return options_.recovery.most * std::max(0.0, 1.0 - 2.0 * place_.probability());
+}
+
+// The same while it is taken to be in several places: what was measured is less likely from these
+// than from where it may have been measured (sensor resetting, Lenser and Veloso, 2000).
+double MonteCarloLocalizer::poverty(const ParticleWeights& weights, Rng& rng) const {
+  std::vector<Pose2> proposed;
+  for (std::size_t i = 0; i < kTried; ++i) proposed.push_back(drawn_anywhere(weights, rng));
+  std::vector<double> logs(proposed.size(), 0.0);
+  weights.add_log_weights(proposed, logs);
+  double sum = 0.0;
+  for (const double log : logs) sum += std::exp(log);
+  const double mean = sum / static_cast<double>(logs.size());
+  return mean > 0.0 ? options_.recovery.most * std::max(0.0, 1.0 - likelihood_ / mean) : 0.0;
 }
 
 void MonteCarloLocalizer::draw_anew(std::size_t sensor) {
   const std::vector<double> weights = normalized(log_weights_);
-  const double doubt = std::max(0.0, 1.0 - 2.0 * place_.probability());
-  const double fraction =
-      std::max(likelihoods_[sensor].fraction_to_draw(), doubt * options_.recovery.most);
-  const double least = options_.resample_below * static_cast<double>(poses_.size());
-  if (fraction == 0.0 && effective_number(weights) >= least) return;
-
   Rng rng = rng_.stream("drawing", static_cast<std::uint64_t>(updates_));
+  const double near = is_narrow() ? likelihoods_[sensor].fraction_to_draw() : 0.0;
+  const double anywhere = is_narrow() ? doubt() : poverty(*weights_[sensor], rng);
+  const double least = options_.resample_below * static_cast<double>(poses_.size());
+  if (near + anywhere == 0.0 && effective_number(weights) >= least) return;
+
   const auto drawn = [&](std::size_t count) {
     std::vector<Pose2> poses;
     for (const std::size_t parent : resampled(weights, count, rng)) {
@@ -163,12 +191,15 @@ void MonteCarloLocalizer::draw_anew(std::size_t sensor) {
   const std::size_t bins = occupied_bins(next, options_.bins);
   const std::size_t number = particle_number(bins, options_.particles);
   if (number != next.size()) next = drawn(number);
-  const auto fresh = static_cast<std::size_t>(fraction * static_cast<double>(next.size()));
+  // Spread over the old ones, which stand by their ancestors.
+  const auto size = static_cast<double>(next.size());
+  const auto fresh = static_cast<std::size_t>((near + anywhere) * size);
+  const auto fresh_near = static_cast<std::size_t>(near * size);
   for (std::size_t i = 0; i < fresh; ++i) {
-    // Spread over the old ones, which stand by their ancestors.
     Pose2& pose = next[i * next.size() / fresh];
-    pose = i % 2 == 0 ? drawn_near(pose, *weights_[sensor], rng)
-                      : drawn_anywhere(*weights_[sensor], rng);
+    const bool is_near = (i + 1) * fresh_near / fresh > i * fresh_near / fresh;
+    pose =
+        is_near ? drawn_near(pose, *weights_[sensor], rng) : drawn_anywhere(*weights_[sensor], rng);
   }
   poses_ = std::move(next);
   log_weights_.assign(poses_.size(), 0.0);

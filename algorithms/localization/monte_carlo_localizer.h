@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -62,9 +63,13 @@ class MonteCarloLocalizer : public Estimator {
   std::optional<Pose2> motion_until(double time) const;  // since the last update
   Pose2 pose_at(double time) const;
   Unknown state() const;
+  bool is_narrow() const { return answer_.largest_sigma() <= options_.known_sigma; }
   bool begin(const ParticleWeights& weights);
   void move_until(double time);
   void weigh(std::size_t sensor, bool is_drawn_by_it);
+  void judge(const ParticleWeights& weights, const Pose2& predicted);
+  double doubt() const;
+  double poverty(const ParticleWeights& weights, Rng& rng) const;
   void draw_anew(std::size_t sensor);
   Pose2 drawn_anywhere(const ParticleWeights& weights, Rng& rng) const;
   Pose2 drawn_near(const Pose2& pose, const ParticleWeights& weights, Rng& rng) const;
@@ -84,6 +89,7 @@ class MonteCarloLocalizer : public Estimator {
   int updates_ = 0;
   double updated_ = 0.0;                     // [s]
   std::optional<Pose2> odometry_at_update_;  // odometry_from_robot
+  double likelihood_ = HUGE_VAL;             // of the newest measurement, by all particles
   PoseAnswer answer_;
   PlaceBelief place_;  // a start that is told counts as known until scans contradict
 

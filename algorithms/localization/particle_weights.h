@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/geometry/pose2.h"
 #include "core/random.h"
@@ -28,8 +29,9 @@ class ParticleWeights {
   virtual void add_log_weights(std::span<const Pose2> map_from_robot,
                                std::span<double> log_weights) const = 0;
 
-  // So many independent readings it consists of: likelihoods are compared over time by their mean.
-  virtual double readings() const { return 1.0; }
+  // The likelihood of one of the readings that it consists of, on average, seen from a pose:
+  // compared over time it shows that measurements get unlikely.
+  virtual double likelihood_of_reading(const Pose2& map_from_robot) const;
 
   // A pose drawn from where the measurement may have been made, whatever was believed before: by
   // that, particles begin and come back. None: it may be anywhere.
@@ -40,7 +42,10 @@ class ParticleWeights {
   virtual std::optional<double> log_odds_of_map(const Pose2& map_from_robot) const = 0;
 };
 
-// One of the poses, drawn by how likely the measurement is from there. Not for an empty list.
+// One of the poses, drawn by ln p(z | x) of each, or by how likely the measurement is from there.
+// Not for an empty list.
+Pose2 drawn_by(const std::vector<double>& log_weights, std::span<const Pose2> map_from_robot,
+               Rng& rng);
 Pose2 drawn_by(const ParticleWeights& weights, std::span<const Pose2> map_from_robot, Rng& rng);
 
 }  // namespace mapbed

@@ -23,4 +23,8 @@ void PlaceBelief::add(double log_odds) {
   probability_ = odds / (1.0 + odds);
 }
 
+void PlaceBelief::doubt() {
+  probability_ = std::min(probability_, 0.5);
+}
+
 }  // namespace mapbed

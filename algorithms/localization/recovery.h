@@ -49,6 +49,7 @@ class PlaceBelief {
   explicit PlaceBelief(double probability) : probability_(probability) {}
 
   void add(double log_odds);
+  void doubt();  // it is taken to be elsewhere now
   double probability() const { return probability_; }
 
  private:

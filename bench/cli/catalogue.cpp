@@ -261,12 +261,20 @@ std::string text_of_log(const std::string& path) {
     remarks.push_back(std::move(remark));
   }
   const double seconds = time_of(log.measurements.back()) - time_of(log.measurements.front());
-  const auto scans =
-      std::count_if(log.measurements.begin(), log.measurements.end(),
-                    [](const Measurement& m) { return std::holds_alternative<LaserScan>(m); });
-  std::string text = fmt::format(
-      "format: {}\nmeasurements: {} scans and {} odometry readings in {:.1f} s\nlasers:\n",
-      log.format, scans, static_cast<std::ptrdiff_t>(log.measurements.size()) - scans, seconds);
+  std::size_t scans = 0, readings = 0, rounds = 0, reads = 0;
+  for (const Measurement& m : log.measurements) {
+    if (std::holds_alternative<LaserScan>(m)) ++scans;
+    if (std::holds_alternative<Odometry>(m)) ++readings;
+    const auto* round = std::get_if<RfidDetections>(&m);
+    if (round == nullptr) continue;
+    ++rounds;
+    reads += round->reads.size();
+  }
+  std::string text =
+      fmt::format("format: {}\nmeasurements: {} scans and {} odometry readings in {:.1f} s\n",
+                  log.format, scans, readings, seconds);
+  if (rounds > 0) text += fmt::format("RFID: {} rounds, {} reads of tags\n", rounds, reads);
+  text += "lasers:\n";
   for (const RecordedLaser& laser : log.lasers) text += "  - " + to_string(laser) + "\n";
   for (const Remark& remark : remarks) text += "remark: " + remark.text + "\n";
   for (const LogWarning& warning : log.warnings) text += "warning: " + to_string(warning) + "\n";

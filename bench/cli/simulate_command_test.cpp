@@ -49,6 +49,30 @@ TEST_F(SimulateCommand, WritesALogWithTruthRelationsAndMap) {
   EXPECT_EQ(map.status, 0) << map.err;
 }
 
+TEST_F(SimulateCommand, WritesRoundsOfAnRfidReaderAndWhatIsBehindThem) {
+  std::vector<std::string> drive = short_drive("a.log.gz");
+  drive[4] = "pioneer_rfid";
+  drive.insert(drive.end(), {"--set", "world.tags=40"});
+  const Outcome outcome = call(drive);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const RecordedLog log = load_log(path("a.log.gz"));
+  std::size_t rounds = 0, reads = 0;
+  for (const Measurement& m : log.measurements) {
+    const auto* round = std::get_if<RfidDetections>(&m);
+    if (round == nullptr) continue;
+    ++rounds;
+    reads += round->reads.size();
+  }
+  EXPECT_EQ(rounds, 91u);  // 2 x 4.5 Hz, and one more at the end
+  EXPECT_GT(reads, 20u);
+  const Truth truth = load_truth(path("a.truth.gz"));
+  EXPECT_EQ(truth.tags.size(), 40u);
+  EXPECT_EQ(truth.reads.size(), reads);
+  EXPECT_THAT(call({"describe", "a.log.gz"}).out,
+              HasSubstr("RFID: 91 rounds, " + std::to_string(reads) + " reads of tags\n"));
+  EXPECT_THAT(call({"describe", "a.truth.gz"}).out, HasSubstr("RFID tags: 40, read "));
+}
+
 TEST_F(SimulateCommand, WritesBagsOfEachKindThatGiveTheSameTrajectory) {
   std::vector<std::string> ros2 = short_drive("c");
   ros2.insert(ros2.end(), {"--format", "ros2"});

@@ -12,6 +12,8 @@
 #include "bench/experiments/rfid/rfid_localization.h"
 #include "bench/experiments/rfid/rfid_sensor_model.h"
 #include "bench/experiments/rfid/tag_mapping.h"
+#include "bench/experiments/rfid_reads/rfid_phase.h"
+#include "bench/experiments/rfid_reads/rfid_reads.h"
 #include "bench/experiments/slam.h"
 #include "core/config/suggestion.h"
 #include "core/input_error.h"
@@ -24,7 +26,8 @@ const std::vector<Experiment>& experiments() {
       end_points_experiment(),     matching_basin_experiment(),    motion_models_experiment(),
       laser_readings_experiment(), log_faults_experiment(),        learned_people_experiment(),
       false_loops_experiment(),    localization_experiment(),      rfid_sensor_model_experiment(),
-      tag_mapping_experiment(),    rfid_localization_experiment(),
+      tag_mapping_experiment(),    rfid_localization_experiment(), rfid_reads_experiment(),
+      rfid_phase_experiment(),
   };
   return table;
 }

@@ -96,13 +96,23 @@ FileText text_of_truth(const std::string& path) {
     last = state.time;
   };
   sink.beams = [&](BeamTruthOfScan&&) { ++scans; };
+  std::map<ReadMechanism, int> reads;
+  sink.reads = [&](TruthRead&& read) { ++reads[read.mechanism]; };
   read_truth(path, sink);
   const auto moving = std::count_if(found.entities.begin(), found.entities.end(),
                                     [](const TruthEntity& entity) { return entity.is_dynamic(); });
-  return {"truth", fmt::format("world: {}\nrobot: {}\nthings: {}, of them {} that can move\n"
-                               "states: {} from {:.3f} to {:.3f} s\nscans: {}\n",
-                               found.world, found.robot, found.entities.size(), moving, states,
-                               first, last, scans)};
+  std::string text = fmt::format(
+      "world: {}\nrobot: {}\nthings: {}, of them {} that can move\nstates: {} from {:.3f} to "
+      "{:.3f} s\nscans: {}\n",
+      found.world, found.robot, found.entities.size(), moving, states, first, last, scans);
+  if (!found.tags.empty()) {
+    text += fmt::format(
+        "RFID tags: {}, read {} times directly, {} by a reflection, {} by another antenna; {} "
+        "ghosts\n",
+        found.tags.size(), reads[ReadMechanism::direct], reads[ReadMechanism::reflection],
+        reads[ReadMechanism::wrong_antenna], reads[ReadMechanism::ghost]);
+  }
+  return {"truth", text};
 }
 
 FileText text_of_picture(const std::string& path) {

@@ -19,6 +19,7 @@
 #include "bench/cli/render/render_figure.h"
 #include "bench/cli/render/render_film.h"
 #include "bench/film/film.h"
+#include "bench/plot/antenna_picture.h"
 #include "bench/plot/map_figure.h"
 #include "bench/plot/map_picture.h"
 #include "bench/plot/world_picture.h"
@@ -43,6 +44,8 @@ struct RenderArguments {
   PictureOptions picture;
   WorldPicture world;
   std::string after;
+  std::string antenna;
+  std::string sensor;
   std::vector<std::string> world_options;
   std::vector<std::string> camera_options;
   std::optional<int> longest_side;  // [pixels]
@@ -64,6 +67,26 @@ RgbImage picture_of_world(const RenderArguments& arguments) {
   if (!arguments.after.empty()) {
     picture.after = parse_quantity(arguments.after, Unit::second, {"--after", 0});
   }
+  return picture_of(picture);
+}
+
+// Of the camera's options those that say what is shown.
+RgbImage picture_of_antenna(const RenderArguments& a) {
+  if (!a.world.robot.empty() || !a.after.empty() || !a.world.path.empty()) {
+    throw InputError("--antenna is of an empty world: leave out --robot, --path and --after");
+  }
+  RenderOptions camera;
+  Settings settings;
+  for (const std::string& option : a.camera_options) settings.push_back(parse_setting(option));
+  apply(settings, options_of(camera), "camera");
+  AntennaPicture picture{.world = a.maps.front(), .antenna = a.antenna};
+  for (const std::string& option : a.world_options) {
+    picture.world_settings.push_back(parse_setting(option));
+  }
+  if (!a.sensor.empty()) picture.sensor = a.sensor;
+  picture.center = camera.center;
+  picture.reach = camera.reach;
+  picture.longest_side = a.longest_side.value_or(picture.longest_side);
   return picture_of(picture);
 }
 
@@ -171,6 +194,8 @@ RgbImage picture_of_run(const RenderArguments& a) {
 
 RgbImage picture_of(const RenderArguments& arguments) {
   if (arguments.maps.size() > 1) return picture_of_maps(arguments);
+  if (!arguments.antenna.empty()) return picture_of_antenna(arguments);
+  if (!arguments.sensor.empty()) throw InputError("--sensor says which one --antenna is of");
   return is_world(arguments.maps.front()) ? picture_of_world(arguments) : picture_of_map(arguments);
 }
 
@@ -312,6 +337,11 @@ Command render_command() {
            world_option("--path", &a.world.path,
                         "that the robot follows, as 'mapbed describe WORLD' lists them; the first "
                         "where left out"),
+           world_option("--antenna", &a.antenna,
+                        "x, y, z, heading of an RFID antenna, as in '7 m, 6.6 m, 0.6 m, 45 deg': "
+                        "draw what tags receive of it all over the world"),
+           world_option("--sensor", &a.sensor,
+                        "of that antenna, a name or file of kind rfid; alien_alr9780 if left out"),
            world_option("--after", &a.after, "how long it has driven; 20 s where left out"),
            seed,
            world_option("--set", &a.world_options,

@@ -127,6 +127,30 @@ TEST_F(RenderCommand, SaysWhatIsWrongWithAWorld) {
                  "did you mean 'ring'?");
 }
 
+TEST_F(RenderCommand, DrawsWhatTagsReceiveOfAnAntenna) {
+  const std::string world = "rfid_calibration";
+  const auto drawn = [&](const std::string& antenna, const std::string& name) {
+    const Outcome outcome = call({"render", world, "--antenna", antenna, "--size", "100",
+                                  "--camera", "reach=3 m", "-o", name});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read_samples(path(name));
+  };
+  const Samples ahead = drawn("8 m, 5 m, 0.6 m, 0 deg", "ahead.png");
+  EXPECT_GT(ahead.width, 100);
+  EXPECT_NE(ahead, drawn("8 m, 5 m, 0.6 m, 90 deg", "aside.png"));
+  for (const auto& [antenna, message] : {std::pair("8 m, 5 m, 0.6 m", "write x, y, z, heading"),
+                                         std::pair("8 m, 5, 0.6 m, 0 deg", "--antenna: "),
+                                         std::pair("8 m, 5 m, 0.6 m, 1 m", "--antenna: ")}) {
+    expect_refusal({"render", world, "--antenna", antenna, "-o", "x.png"}, message);
+  }
+  const std::string antenna = "8 m, 5 m, 0.6 m, 0 deg";
+  expect_refusal({"render", world, "--antenna", antenna, "--sensor", "sick_lms200", "-o", "x.png"},
+                 "sensor 'sick_lms200' is no RFID antenna");
+  expect_refusal({"render", world, "--sensor", "alien_alr9780", "-o", "x.png"}, "--antenna");
+  expect_refusal({"render", world, "--antenna", antenna, "--robot", "pioneer", "-o", "x.png"},
+                 "leave out --robot");
+}
+
 TEST_F(RenderCommand, DrawsAMapWithItsTrajectory) {
   const Outcome plain = call({"render", "room.yaml", "-o", "plain.png"});
   ASSERT_EQ(plain.status, 0) << plain.err;

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/pose_graph/graph_optimizer.h"
+#include "bench/experiments/data_file.h"
 #include "bench/experiments/false_loops/added_false_loops.h"
 #include "bench/experiments/false_loops/graph_files.h"
 #include "bench/process/process_cost.h"
@@ -130,7 +131,7 @@ Configured<RunOutcome(const RunInput&)> configure(const Settings& settings,
   Configured<RunOutcome(const RunInput&)> configured{.complete_yaml = yaml};
   std::string path;
   if (options.graph == GraphOrigin::file) {
-    path = place_of_graph(options.file);
+    path = place_of_data(options.file);
     if (path.empty()) {
       configured.missing = "the graph " + in_quotes(options.file) + " is not here";
     } else {

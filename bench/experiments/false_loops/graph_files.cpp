@@ -1,7 +1,5 @@
 #include "bench/experiments/false_loops/graph_files.h"
 
-#include <cstdlib>
-#include <filesystem>
 #include <utility>
 
 #include "algorithms/pose_graph/constraint_error.h"
@@ -11,8 +9,6 @@
 
 namespace mapbed {
 namespace {
-
-namespace fs = std::filesystem;
 
 // From chordal poses, or the file's where these lead to a lower one.
 template <class Pose>
@@ -28,14 +24,6 @@ KnownGraph<Pose> with_optimum(PoseGraph<Pose> graph, bool has_poses) {
 }
 
 }  // namespace
-
-std::string place_of_graph(const std::string& file) {
-  if (fs::is_regular_file(file)) return file;
-  const char* const data = std::getenv("MAPBED_DATA");
-  if (data == nullptr || *data == '\0') return {};
-  const fs::path below = fs::path(data) / file;
-  return fs::is_regular_file(below) ? below.string() : std::string();
-}
 
 const AnyKnownGraph& GraphFiles::at(const std::string& path) {
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -11,9 +11,6 @@ namespace mapbed {
 
 using AnyKnownGraph = std::variant<KnownGraph<Pose2>, KnownGraph<Pose3>>;
 
-// Empty where it is neither at this path nor below MAPBED_DATA.
-std::string place_of_graph(const std::string& file);
-
 // Graphs in files, each read once for all runs. What is true is not known: the optimum of the
 // file's own constraints stands for it. The graph's nodes are where odometry alone has them.
 class GraphFiles {

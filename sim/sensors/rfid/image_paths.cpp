@@ -14,10 +14,8 @@ Eigen::Vector3d in_space(const MirrorFace& face, const Eigen::Vector2d& corner) 
 
 // From a point to the rectangle around a face, at least. [m]
 double distance_to(const MirrorFace& face, const Eigen::Vector3d& point) {
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& corner : face.outline) box.extend(corner);
   const double aside =
-      box.exteriorDistance(Eigen::Vector2d(point.dot(face.across), point.dot(face.along)));
+      face.box.exteriorDistance(Eigen::Vector2d(point.dot(face.across), point.dot(face.along)));
   return std::hypot(aside, height_over(face, point));
 }
 

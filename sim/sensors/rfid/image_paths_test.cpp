@@ -95,9 +95,7 @@ Shortest shortest(std::size_t numbers,
 }
 
 Vector3d on_face(const MirrorFace& face, double u, double v) {
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& corner : face.outline) box.extend(corner);
-  const Eigen::Vector2d p = box.min() + Eigen::Vector2d(u, v).cwiseProduct(box.sizes());
+  const Eigen::Vector2d p = face.box.min() + Eigen::Vector2d(u, v).cwiseProduct(face.box.sizes());
   return face.offset * face.normal + p.x() * face.across + p.y() * face.along;
 }
 

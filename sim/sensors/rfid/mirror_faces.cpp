@@ -7,6 +7,8 @@ namespace {
 
 using Corners = std::vector<Eigen::Vector3d>;
 
+constexpr double kSame = 1e-9;  // [m]
+
 std::vector<Corners> polygons_of(const Extrusion& extrusion) {
   std::vector<Corners> polygons(2);
   const std::size_t n = extrusion.outline.size();
@@ -52,14 +54,14 @@ MirrorFace face_of(const Corners& corners, const Eigen::Vector3d& normal) {
   face.along = normal.cross(face.across);
   for (const Eigen::Vector3d& corner : corners) {
     face.outline.emplace_back(corner.dot(face.across), corner.dot(face.along));
+    face.box.extend(face.outline.back());
   }
+  face.is_box =
+      std::all_of(face.outline.begin(), face.outline.end(), [&](const Eigen::Vector2d& corner) {
+        return (corner - face.box.min()).cwiseMin(face.box.max() - corner).cwiseAbs().maxCoeff() <
+               kSame;
+      });
   return face;
-}
-
-double narrowest(const MirrorFace& face) {
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& corner : face.outline) box.extend(corner);
-  return box.sizes().minCoeff();
 }
 
 bool stands_still(const Entity& entity) {
@@ -81,7 +83,7 @@ std::vector<MirrorFace> mirror_faces(const World& world, const MirrorFaceOptions
         const Eigen::Vector3d area = area_vector(corners);
         if (area.norm() < options.smallest * options.smallest) continue;
         MirrorFace face = face_of(corners, area.normalized());
-        if (narrowest(face) < options.smallest) continue;
+        if (face.box.sizes().minCoeff() < options.smallest) continue;
         face.entity = static_cast<int>(id);
         face.material = part.material;
         faces.push_back(std::move(face));
@@ -103,6 +105,8 @@ Eigen::Vector3d mirrored(const MirrorFace& face, const Eigen::Vector3d& point) {
 bool contains(const MirrorFace& face, const Eigen::Vector3d& point) {
   const double x = point.dot(face.across);
   const double y = point.dot(face.along);
+  if (!face.box.contains(Eigen::Vector2d(x, y))) return false;
+  if (face.is_box) return true;
   bool is_inside = false;
   for (std::size_t i = 0, j = face.outline.size() - 1; i < face.outline.size(); j = i++) {
     const Eigen::Vector2d& a = face.outline[i];

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "worlds/world.h"
 
@@ -17,6 +18,8 @@ struct MirrorFace {
   Eigen::Vector3d across = Eigen::Vector3d::UnitX();  // unit, in the plane, as ...
   Eigen::Vector3d along = Eigen::Vector3d::UnitY();   // ... this one is
   std::vector<Eigen::Vector2d> outline = {};          // [m] by across and along, convex or not
+  Eigen::AlignedBox2d box = {};                       // around the outline
+  bool is_box = false;                                // ... and nothing but it
 };
 
 struct MirrorFaceOptions {

@@ -12,7 +12,7 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double kNotBack = 25.0;      // [dB] below the threshold: left out
-constexpr double kTooWeak = 30.0;      // [dB] below it: a way that is not followed
+constexpr double kTooWeak = 25.0;      // [dB] below it: a way that is not followed
 constexpr double kMostCrossed = 40.0;  // [dB] then nothing gets through
 
 double decibels(double amplitude) {
@@ -30,6 +30,14 @@ double crossing_loss(const Scene& scene, const RadioPath& path) {
     loss += crossing_loss(scene, path.points[k], path.points[k + 1], kMostCrossed - loss);
   }
   return loss;
+}
+
+// Whether a point is before each face, so that the face may mirror what comes from there.
+std::vector<bool> before(const std::vector<MirrorFace>& faces, const Eigen::Vector3d& point) {
+  std::vector<bool> result;
+  result.reserve(faces.size());
+  for (const MirrorFace& face : faces) result.push_back(height_over(face, point) > 0.0);
+  return result;
 }
 
 }  // namespace
@@ -66,7 +74,8 @@ std::shared_ptr<const RfidField::Mirrors> RfidField::mirrors_for(const World& wo
 
 std::optional<IdealTag> RfidField::receive(const Scene& scene, const Antenna& antenna,
                                            const PlacedAntenna& placed, const RfidTag& tag,
-                                           const std::vector<MirrorImage>& images) const {
+                                           const std::vector<MirrorImage>& images,
+                                           const std::vector<bool>& is_before) const {
   const RfidModel& model = antenna.mounted.model;
   const Eigen::Vector3d& place = tag.world_from_tag.position;
   const RadioPath straight = straight_path(placed.place, place);
@@ -88,7 +97,9 @@ std::optional<IdealTag> RfidField::receive(const Scene& scene, const Antenna& an
   Complex sum = direct * amplitude_of(-crossed);
   double strongest = 0.0;  // of the other ways
   for (const MirrorImage& image : images) {
-    const Eigen::Vector3d& seen = image.places[static_cast<std::size_t>(image.mirrors) - 1];
+    const auto last = static_cast<std::size_t>(image.mirrors) - 1;
+    if (!is_before[static_cast<std::size_t>(image.faces[last])]) continue;
+    const Eigen::Vector3d& seen = image.places[last];
     if ((seen - placed.place).squaredNorm() > farthest * farthest) continue;
     const std::optional<RadioPath> path = path_by(image, faces, placed.place, place);
     if (!path) continue;
@@ -122,9 +133,10 @@ IdealRfid RfidField::round(const Scene& scene, int index, const Pose2& world_fro
   result.antenna = index;
   result.place = placed.place.head<2>();
   result.names = names_;
+  const std::vector<bool> is_before = before(antenna.mirrors->faces, placed.place);
   for (std::size_t i = 0; i < tags_.size(); ++i) {
     std::optional<IdealTag> tag =
-        receive(scene, antenna, placed, tags_[i], antenna.mirrors->images[i]);
+        receive(scene, antenna, placed, tags_[i], antenna.mirrors->images[i], is_before);
     if (!tag) continue;
     tag->tag = static_cast<std::int32_t>(i);
     result.tags.push_back(*tag);
@@ -137,9 +149,10 @@ std::optional<IdealTag> RfidField::at(const Scene& scene, int index,
   CHECK(index >= 0 && static_cast<std::size_t>(index) < antennas_.size());
   const Antenna& antenna = antennas_[static_cast<std::size_t>(index)];
   const Mirrors& mirrors = *antenna.mirrors;
-  return receive(
-      scene, antenna, placed_antenna(antenna.mounted.model, antenna.device, world_from_antenna),
-      tag, images_of(tag.world_from_tag.position, mirrors.faces, mirrors.most, mirrors.reach));
+  return receive(scene, antenna,
+                 placed_antenna(antenna.mounted.model, antenna.device, world_from_antenna), tag,
+                 images_of(tag.world_from_tag.position, mirrors.faces, mirrors.most, mirrors.reach),
+                 before(mirrors.faces, world_from_antenna.position));
 }
 
 }  // namespace mapbed

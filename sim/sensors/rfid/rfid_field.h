@@ -46,7 +46,8 @@ class RfidField {
   std::shared_ptr<const Mirrors> mirrors_for(const World& world, const RfidModel& model) const;
   std::optional<IdealTag> receive(const Scene& scene, const Antenna& antenna,
                                   const PlacedAntenna& placed, const RfidTag& tag,
-                                  const std::vector<MirrorImage>& images) const;
+                                  const std::vector<MirrorImage>& images,
+                                  const std::vector<bool>& is_before) const;
 
   std::vector<RfidTag> tags_;
   std::vector<Material> materials_;
