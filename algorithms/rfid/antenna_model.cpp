@@ -51,6 +51,25 @@ double probability(const SmoothAntenna& a, const Eigen::Vector2d& tag) {
   return a.least + (a.most - a.least) * normal_below(power / a.softness);
 }
 
+double range(const PiecewiseAntenna& a) {
+  return std::max(a.range, a.disc_radius);
+}
+double range(const HistogramAntenna& a) {
+  double farthest = 0.0;
+  for (int y = 0; y < a.cells; ++y) {
+    for (int x = 0; x < a.cells; ++x) {
+      const std::size_t i = a.index(x, y);
+      if (a.rounds[i] == 0.0 || a.detections[i] < 0.5 * a.rounds[i]) continue;
+      const double half = 0.5 * (a.cells - 1);
+      farthest = std::max(farthest, a.cell_size * std::hypot(x - half, y - half));
+    }
+  }
+  return farthest;
+}
+double range(const SmoothAntenna& a) {
+  return std::pow(10.0, a.level / a.falloff);
+}
+
 double reach(const PiecewiseAntenna& a) {
   return std::max(a.range, a.disc_radius);
 }
@@ -67,6 +86,10 @@ double reach(const SmoothAntenna& a) {
 
 double detection_probability(const AntennaModel& antenna, const Eigen::Vector2d& tag_in_antenna) {
   return std::visit([&](const auto& a) { return probability(a, tag_in_antenna); }, antenna);
+}
+
+double range_of(const AntennaModel& antenna) {
+  return std::visit([](const auto& a) { return range(a); }, antenna);
 }
 
 double reach_of(const AntennaModel& antenna) {

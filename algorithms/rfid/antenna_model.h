@@ -107,6 +107,9 @@ using AntennaModel = std::variant<PiecewiseAntenna, HistogramAntenna, SmoothAnte
 
 double detection_probability(const AntennaModel& antenna, const Eigen::Vector2d& tag_in_antenna);
 
+// As far [m] as a tag answers in every second round, where it is heard best.
+double range_of(const AntennaModel& antenna);
+
 // Beyond it [m] the probability is the same everywhere, to within 1 %.
 double reach_of(const AntennaModel& antenna);
 

@@ -8,18 +8,20 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/particles/resampling.h"
 #include "core/input_error.h"
 
 namespace mapbed {
 namespace {
 
-constexpr double kSamePlace = 0.15;  // [m] from where the same things are seen
+constexpr double kLeastSpacing = 0.04;  // [m]
+constexpr double kSamePlace = 0.15;     // [m] from where the same things are seen
 
-double side_of_square(const std::vector<DetectionTable>& tables, const TagMapperOptions& options) {
+double side_of_square(const LearnedRfid& model, const TagMapperOptions& options) {
   if (options.side > 0.0) return options.side;
-  double reach = 0.0;
-  for (const DetectionTable& table : tables) reach = std::max(reach, table.reach());
-  return 2.0 * (reach + options.margin);
+  double range = 0.0;
+  for (const AntennaModel& antenna : model) range = std::max(range, range_of(antenna));
+  return 2.0 * (range + options.margin);
 }
 
 }  // namespace
@@ -34,7 +36,7 @@ TagMapper::TagMapper(const LearnedRfid& model, const TagMapperOptions& options, 
     throw InputError({}, "this RFID model has not learned how strong answers are",
                      "take a model of kind 'smooth', or leave rssi out");
   }
-  side_ = side_of_square(tables_, options);
+  side_ = side_of_square(model, options);
 }
 
 TagMapper::Tag TagMapper::make_tag(const std::string& name, const Eigen::Vector2d& robot) const {
@@ -47,7 +49,26 @@ TagMapper::Tag TagMapper::make_tag(const std::string& name, const Eigen::Vector2
     tag.y.push_back(static_cast<float>(robot.y() + side_ * (rng.uniform() - 0.5)));
   }
   tag.log_weights.assign(count, 0.0);
+  tag.spacing = side_ / std::sqrt(static_cast<double>(count));
   return tag;
+}
+
+// Resampling with a kernel as wide as the gaps between positions, which halve with it.
+void TagMapper::redraw_if_few(const std::string& name, Tag& tag) const {
+  if (options_.redraw_below <= 0.0) return;
+  const std::vector<double> weights = normalized(tag.log_weights);
+  const auto count = static_cast<double>(weights.size());
+  if (effective_number(weights) >= options_.redraw_below * count) return;
+  Rng rng = rng_.stream(name, 1 + tag.redrawn++);
+  Tag drawn;
+  for (const std::size_t i : resampled(weights, weights.size(), rng)) {
+    drawn.x.push_back(tag.x[i] + static_cast<float>(rng.normal(0.0, 0.5 * tag.spacing)));
+    drawn.y.push_back(tag.y[i] + static_cast<float>(rng.normal(0.0, 0.5 * tag.spacing)));
+  }
+  tag.x = std::move(drawn.x);
+  tag.y = std::move(drawn.y);
+  tag.log_weights.assign(tag.x.size(), 0.0);
+  tag.spacing = std::max(kLeastSpacing, 0.5 * tag.spacing);
 }
 
 // How much a reading counts: the k-th one from about the same place 1/k - so that all of them
@@ -131,6 +152,7 @@ void TagMapper::add(const RfidDetections& round, const Pose2& map_from_robot) {
     Tag& tag = found->second;
     ++tag.detections;
     take(tag, now, &read, news(tag, round.antenna, place));
+    redraw_if_few(read.tag, tag);
   }
   if (!options_.non_detections) return;
   for (auto& [name, tag] : tags_) {

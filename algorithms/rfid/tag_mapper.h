@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -18,11 +19,14 @@ namespace mapbed {
 
 struct TagMapperOptions {
   int positions = 1000;  // that each tag may be at
-  double side = 0.0;     // [m] of the square about the robot that they are drawn from; 0: as far as
-                         // the antennas reach, either way, and a margin
-  double margin = 1.0;   // [m] of that
+  double side = 0.0;  // [m] of the square about the robot that they are drawn from; 0: twice as far
+                      // as a tag answers in every second round, and a margin
+  double margin = 1.0;          // [m] of that
   bool non_detections = false;  // rounds in which a tag does not answer count, too
   bool rssi = false;            // and how strong its answers are
+  // Effective number of positions, as a fraction, below which they are drawn anew about those that
+  // are left, each time nearer. 0: never, as in section 7.3.
+  double redraw_below = 0.0;
   // [m] that an antenna moves until its next reading is a new one: what fades at a place fades
   // there again. Until then readings count as one together. 0: all count, as in (7.1).
   double news_distance = 0.0;
@@ -36,6 +40,8 @@ void visit_fields(TagMapperOptions& o, Visitor&& visit) {
   visit("margin", o.margin, Unit::meter, between(0.0, 100.0), "beyond their reach");
   visit("non_detections", o.non_detections, "rounds in which a tag does not answer count, too");
   visit("rssi", o.rssi, "how strong its answers are counts, too");
+  visit("redraw_below", o.redraw_below, kFraction,
+        "effective number of positions, as a fraction, below which they are drawn anew; 0: never");
   visit("news_distance", o.news_distance, Unit::meter, between(0.0, 10.0),
         "that an antenna moves until its next reading is a new one; 0: all count");
 }
@@ -62,6 +68,8 @@ class TagMapper {
     std::vector<float> x, y;           // [m]
     std::vector<double> log_weights;
     int detections = 0;
+    double spacing = 0.0;  // [m] of neighbouring positions
+    std::uint64_t redrawn = 0;
     std::map<int, Eigen::Vector2d> newest;  // by antenna: where its last reading that was news was
     std::map<int, double> pooled;           // by antenna: how many readings from about there
   };
@@ -76,6 +84,7 @@ class TagMapper {
   Tag make_tag(const std::string& name, const Eigen::Vector2d& robot) const;
   bool may_hear(const Tag& tag, int antenna, const Eigen::Vector2d& place) const;
   void take_silence(Tag& tag, const PastRound& round) const;
+  void redraw_if_few(const std::string& name, Tag& tag) const;
   double news(Tag& tag, int antenna, const Eigen::Vector2d& place) const;
   std::shared_ptr<const LineOfSight> sight_from(const Eigen::Vector2d& place);
   void take(Tag& tag, const PastRound& round, const RfidRead* read, double weight) const;
