@@ -230,7 +230,8 @@ void add_paths(World& world, const OfficePlan& plan, const std::vector<OfficeRoo
     result.points.push_back(ring.front());
     return result;
   };
-  world.paths = {path("ring", 1, 0), path("tour", 1, 1), path("long_tour", 3, 2)};
+  world.paths = {path("ring", 1, 0), path("tour", 1, 1), path("long_tour", 3, 2),
+                 path("tag_tour", 4, 3)};
 }
 
 void add_crowd(World& world, const OfficePlan& plan, const std::vector<OfficeRoom>& rooms,
