@@ -173,14 +173,16 @@ TEST(RfidNoise, OfTwoInOneSlotTheOneThatIsMuchStrongerIsRead) {
 TEST(RfidNoise, RssiIsThatOfTheWayThereAndBackInStepsAndPhaseIsThatOfTheIdealRound) {
   RfidModel model = plain();
   RfidReader reader(robot_with(model), Rng(1));
-  IdealRfid round = ideal_round(0, 1, -10.0);
-  round.tags[0].phase = 2.3456F;
+  IdealRfid round = ideal_round(0, 20, -10.0);
+  for (IdealTag& tag : round.tags) tag.phase = 2.3456F;
   const RfidRound told = reader.read(round);
-  ASSERT_EQ(told.reads.size(), 1u);
-  // -10 - 6 sent back; 46 lost on the way as on the way there, 6 gained by the antenna.
-  EXPECT_EQ(told.detections.reads[0].rssi, -56.0);
-  EXPECT_EQ(told.detections.reads[0].phase, 2.345);
-  EXPECT_EQ(told.detections.reads[0].tag, "tag_0");
+  ASSERT_EQ(told.reads.size(), 20u);
+  for (const RfidRead& read : told.detections.reads) {
+    // -10 - 6 sent back; 46 lost on the way as on the way there, 6 gained by the antenna.
+    EXPECT_EQ(read.rssi, -62.0 + 6.0);
+    EXPECT_EQ(read.phase, 2.345);
+  }
+  EXPECT_EQ(told.detections.reads[7].tag, "tag_7");
   EXPECT_EQ(told.detections.frequency, 915e6);
   EXPECT_EQ(told.reads[0].mechanism, ReadMechanism::direct);
 }

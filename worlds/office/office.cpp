@@ -231,7 +231,7 @@ void add_paths(World& world, const OfficePlan& plan, const std::vector<OfficeRoo
     return result;
   };
   world.paths = {path("ring", 1, 0), path("tour", 1, 1), path("long_tour", 3, 2),
-                 path("tag_tour", 10, 1)};
+                 path("tag_tour", 4, 3)};
 }
 
 void add_crowd(World& world, const OfficePlan& plan, const std::vector<OfficeRoom>& rooms,

@@ -12,7 +12,7 @@ namespace mapbed {
 // the south-west corner.
 //
 // Paths: `ring` once round the corridor; `tour` once round and once round with a visit to every
-// open room; `long_tour` three rounds and two such visits; `tag_tour` ten rounds and one, 791 m.
+// open room; `long_tour` three rounds and two such visits; `tag_tour` four and three, 790 m.
 struct OfficeOptions {
   std::uint64_t seed = 0;       // 0: as said below; others vary sizes by up to 10 %
   double size = 28.0;           // [m] of the square

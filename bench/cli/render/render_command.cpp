@@ -16,10 +16,10 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/progress.h"
 #include "bench/cli/render/map_folder.h"
+#include "bench/cli/render/render_antenna.h"
 #include "bench/cli/render/render_figure.h"
 #include "bench/cli/render/render_film.h"
 #include "bench/film/film.h"
-#include "bench/plot/antenna_picture.h"
 #include "bench/plot/map_figure.h"
 #include "bench/plot/map_picture.h"
 #include "bench/plot/world_picture.h"
@@ -44,8 +44,7 @@ struct RenderArguments {
   PictureOptions picture;
   WorldPicture world;
   std::string after;
-  std::string antenna;
-  std::string sensor;
+  AntennaArguments antenna;
   std::vector<std::string> world_options;
   std::vector<std::string> camera_options;
   std::optional<int> longest_side;  // [pixels]
@@ -53,41 +52,33 @@ struct RenderArguments {
   FigureArguments figure;
 };
 
+Settings settings_in(const std::vector<std::string>& options) {
+  Settings settings;
+  for (const std::string& option : options) settings.push_back(parse_setting(option));
+  return settings;
+}
+
 RgbImage picture_of_world(const RenderArguments& arguments) {
   WorldPicture picture = arguments.world;
   picture.world = arguments.maps.front();
-  for (const std::string& option : arguments.world_options) {
-    picture.world_settings.push_back(parse_setting(option));
-  }
-  Settings camera;
-  for (const std::string& option : arguments.camera_options) {
-    camera.push_back(parse_setting(option));
-  }
-  apply(camera, options_of(picture.camera), "camera");
+  picture.world_settings = settings_in(arguments.world_options);
+  apply(settings_in(arguments.camera_options), options_of(picture.camera), "camera");
   if (!arguments.after.empty()) {
     picture.after = parse_quantity(arguments.after, Unit::second, {"--after", 0});
   }
   return picture_of(picture);
 }
 
-// Of the camera's options those that say what is shown.
 RgbImage picture_of_antenna(const RenderArguments& a) {
   if (!a.world.robot.empty() || !a.after.empty() || !a.world.path.empty()) {
     throw InputError("--antenna is of an empty world: leave out --robot, --path and --after");
   }
-  RenderOptions camera;
-  Settings settings;
-  for (const std::string& option : a.camera_options) settings.push_back(parse_setting(option));
-  apply(settings, options_of(camera), "camera");
-  AntennaPicture picture{.world = a.maps.front(), .antenna = a.antenna};
-  for (const std::string& option : a.world_options) {
-    picture.world_settings.push_back(parse_setting(option));
-  }
-  if (!a.sensor.empty()) picture.sensor = a.sensor;
-  picture.center = camera.center;
-  picture.reach = camera.reach;
-  picture.longest_side = a.longest_side.value_or(picture.longest_side);
-  return picture_of(picture);
+  AntennaArguments antenna = a.antenna;
+  antenna.world = a.maps.front();
+  antenna.world_settings = settings_in(a.world_options);
+  antenna.camera = settings_in(a.camera_options);
+  antenna.longest_side = a.longest_side;
+  return picture_of_antenna(antenna);
 }
 
 std::optional<double> resolution_of(const RenderArguments& arguments) {
@@ -186,16 +177,15 @@ RgbImage picture_of_run(const RenderArguments& a) {
   figure.number = a.film.number;
   figure.longest_side = a.longest_side;
   figure.resolution = resolution_of(a);
-  for (const std::string& option : a.world_options) {
-    figure.settings.push_back(parse_setting(option));
-  }
+  figure.settings = settings_in(a.world_options);
   return figure_of_run(figure);
 }
 
 RgbImage picture_of(const RenderArguments& arguments) {
   if (arguments.maps.size() > 1) return picture_of_maps(arguments);
-  if (!arguments.antenna.empty()) return picture_of_antenna(arguments);
-  if (!arguments.sensor.empty()) throw InputError("--sensor says which one --antenna is of");
+  if (!arguments.antenna.antenna.empty()) return picture_of_antenna(arguments);
+  if (!arguments.antenna.sensor.empty())
+    throw InputError("--sensor says which one --antenna is of");
   return is_world(arguments.maps.front()) ? picture_of_world(arguments) : picture_of_map(arguments);
 }
 
@@ -337,11 +327,6 @@ Command render_command() {
            world_option("--path", &a.world.path,
                         "that the robot follows, as 'mapbed describe WORLD' lists them; the first "
                         "where left out"),
-           world_option("--antenna", &a.antenna,
-                        "x, y, z, heading of an RFID antenna, as in '7 m, 6.6 m, 0.6 m, 45 deg': "
-                        "draw what tags receive of it all over the world"),
-           world_option("--sensor", &a.sensor,
-                        "of that antenna, a name or file of kind rfid; alien_alr9780 if left out"),
            world_option("--after", &a.after, "how long it has driven; 20 s where left out"),
            seed,
            world_option("--set", &a.world_options,
@@ -351,7 +336,8 @@ Command render_command() {
                         "an option of the picture, as in view=plan or reach=8m, see 'describe "
                         "camera'; may come again")},
       .run = [arguments] { return render(*arguments); }};
-  for (const auto& more : {film_options(a.film), figure_options(a.figure)}) {
+  for (const auto& more :
+       {antenna_options(a.antenna), film_options(a.film), figure_options(a.figure)}) {
     command.options.insert(command.options.end(), more.begin(), more.end());
   }
   return command;
