@@ -33,6 +33,14 @@ TEST(Methods, AreFoundByNameAndListTheirOptions) {
   }
 }
 
+TEST(Methods, OneThatNeedsAMapIsRefusedWithoutAndInOneWithoutFreeSpace) {
+  const ConfiguredMethod localization = method_by_name("localization").configure({});
+  EXPECT_TRUE(method_by_name("localization").needs_map);
+  EXPECT_INPUT_ERROR(localization.make({}, Rng(1)), "--map MAP.yaml");
+  const Given nothing{.map = std::make_shared<OccupancyMap>(0.05)};
+  EXPECT_INPUT_ERROR(localization.make(nothing, Rng(1)), "nothing of the map is free");
+}
+
 TEST(Methods, AMisspeltNameGetsTheNearestOne) {
   EXPECT_INPUT_ERROR(method_by_name("odometri"),
                      "unknown method 'odometri'; did you mean 'odometry'?");

@@ -12,15 +12,16 @@
 namespace mapbed {
 namespace {
 
-constexpr std::size_t kMinPoints = 10;     // fewer say nothing about a pose
-constexpr std::size_t kPlaces = 3000;      // that are looked at for v0
-constexpr std::size_t kClimbed = 30;       // the best of them, from which the search goes on
-constexpr double kFirstStep = 0.2;         // [m] of that search
-constexpr double kLastStep = 0.04;         // [m]
-constexpr double kTurnPerStep = 0.5;       // [rad/m]
-constexpr double kOtherPlace = 1.0;        // [m] from a pose: another place
-constexpr double kOtherHeading = 0.5;      // [rad] the same
-constexpr double kAsMany = 0.8;            // of the points that the map tells of here
+constexpr std::size_t kMinPoints = 10;  // fewer say nothing about a pose
+constexpr std::size_t kPlaces = 3000;   // that are looked at for v0
+constexpr std::size_t kClimbed = 30;    // the best of them, from which the search goes on
+constexpr double kFirstStep = 0.2;      // [m] of that search
+constexpr double kLastStep = 0.04;      // [m]
+constexpr double kTurnPerStep = 0.5;    // [rad/m]
+constexpr double kOtherPlace = 1.0;     // [m] from a pose: another place
+constexpr double kOtherHeading = 0.5;   // [rad] the same
+constexpr double kAsMany = 0.8;         // of the points that the map tells of here
+constexpr double kLeastTold = 0.5;  // of a scan: a map that tells less does not show where that was
 constexpr double kLeastDifference = 0.05;  // of v0 to v1
 constexpr std::size_t kTried = 32;         // places, of which one is proposed
 
@@ -105,8 +106,10 @@ std::optional<Pose2> LaserWeights::propose(Rng& rng) const {
 
 LaserWeights::Explained LaserWeights::explained(const Pose2& map_from_robot) const {
   const EndPointTable::Told told = table_.told(map_from_robot, points_);
-  if (told.weight == 0.0) return {};
-  return {told.weight, inlier_ratio(told.log, table_.outlier_log() * told.weight)};
+  const double n = std::max(told.weight, kLeastTold * points_.total_weight());
+  // Each counts with 1 - log / outlier_log, as inlier_ratio() has it.
+  const double explained = told.weight - told.log / table_.outlier_log();
+  return {n, explained / n};
 }
 
 double LaserWeights::likelihood_of_reading(const Pose2& map_from_robot) const {
@@ -130,9 +133,10 @@ double LaserWeights::explained_elsewhere(const Pose2& map_from_robot) const {
 
 std::optional<double> LaserWeights::log_odds_of_map(const Pose2& map_from_robot) const {
   const double v1 = options_.inlier_ratio;
-  // Where all looks alike, as in a long corridor, what fits still speaks for the map.
-  const double v0 = std::clamp(explained_elsewhere(map_from_robot), 0.01, v1 - kLeastDifference);
   const auto [n, f] = explained(map_from_robot);
+  // Where all looks alike, as in a long corridor, what fits still speaks for the map.
+  const double by_chance = std::min(f, explained_elsewhere(map_from_robot));
+  const double v0 = std::clamp(by_chance, 0.01, v1 - kLeastDifference);
   const double odds = f * std::log(v1 / v0) + (1.0 - f) * std::log((1.0 - v1) / (1.0 - v0));
   return options_.beam_weight * n * odds;
 }

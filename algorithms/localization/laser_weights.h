@@ -44,10 +44,11 @@ void visit_fields(LaserWeightOptions& o, Visitor&& visit) {
 // or anything else. Beams without return say nothing: they are alike for all particles.
 //
 // Whether a scan is of this map at all is told by how much of it the map explains, of the n points
-// that end where it tells anything: a room that nobody looked into says nothing. At the right place
-// that is the inlier ratio v1; what it is by chance, v0, the map itself says: it is the most that
-// it explains of this scan in other places, which are searched for it from random ones. With a
-// fraction f explained the odds are those of draws,
+// that end where it tells anything (of half of the scan at least): a room that nobody looked into
+// says nothing. At the right place that is the inlier ratio v1; by chance it is whatever is seen,
+// but no more than v0, and that the map itself says: it is the most that it explains of this scan
+// in other places, which are searched for it from random ones. With a fraction f explained the odds
+// are those of draws, v0 being f where that is less,
 //
 //   ln o = n (f ln(v1 / v0) + (1 - f) ln((1 - v1) / (1 - v0))).
 //

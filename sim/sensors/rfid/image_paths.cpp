@@ -19,9 +19,42 @@ double distance_to(const MirrorFace& face, const Eigen::Vector3d& point) {
   return std::hypot(aside, height_over(face, point));
 }
 
+// Of the rectangle around a face, in turn.
+std::array<Eigen::Vector3d, 4> corners_around(const MirrorFace& face) {
+  const Eigen::Vector2d& low = face.box.min();
+  const Eigen::Vector2d& high = face.box.max();
+  return {in_space(face, low), in_space(face, {high.x(), low.y()}), in_space(face, high),
+          in_space(face, {low.x(), high.y()})};
+}
+
 bool has_part_before(const MirrorFace& face, const MirrorFace& other) {
   return std::any_of(face.outline.begin(), face.outline.end(), [&](const Eigen::Vector2d& corner) {
     return height_over(other, in_space(face, corner)) > kTouching;
+  });
+}
+
+// Beams from an image spread within a pyramid through its mirror. Planes of its sides, their
+// normals inwards; the image is a point of all of them.
+std::array<Eigen::Vector3d, 4> pyramid_through(const MirrorFace& mirror,
+                                               const Eigen::Vector3d& image) {
+  const std::array<Eigen::Vector3d, 4> corners = corners_around(mirror);
+  const Eigen::Vector3d middle = (corners[0] + corners[2]) / 2.0 - image;
+  std::array<Eigen::Vector3d, 4> normals;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector3d normal = (corners[i] - image).cross(corners[(i + 1) % 4] - image);
+    normals[i] = normal.dot(middle) < 0.0 ? Eigen::Vector3d(-normal) : normal;
+  }
+  return normals;
+}
+
+// That a face lies wholly outside of one of the planes.
+bool is_outside(const std::array<Eigen::Vector3d, 4>& pyramid, const Eigen::Vector3d& image,
+                const MirrorFace& face) {
+  const std::array<Eigen::Vector3d, 4> corners = corners_around(face);
+  return std::any_of(pyramid.begin(), pyramid.end(), [&](const Eigen::Vector3d& normal) {
+    return std::all_of(corners.begin(), corners.end(), [&](const Eigen::Vector3d& corner) {
+      return normal.dot(corner - image) < 0.0;
+    });
   });
 }
 
@@ -53,11 +86,13 @@ std::vector<MirrorImage> images_of(const Eigen::Vector3d& point, std::span<const
   for (std::size_t k = 0; k < once; ++k) {
     const MirrorImage first = images[k];
     const MirrorFace& mirror = faces[static_cast<std::size_t>(first.faces[0])];
+    const std::array<Eigen::Vector3d, 4> pyramid = pyramid_through(mirror, first.places[0]);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const MirrorFace& face = faces[i];
       if (height_over(face, first.places[0]) < kBeforeMirror) continue;
       if (distance_to(face, first.places[0]) > reach) continue;
       if (!has_part_before(face, mirror) || !has_part_before(mirror, face)) continue;
+      if (is_outside(pyramid, first.places[0], face)) continue;
       images.push_back({2,
                         {first.faces[0], static_cast<int>(i)},
                         {first.places[0], mirrored(face, first.places[0])}});

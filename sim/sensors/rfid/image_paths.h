@@ -33,8 +33,8 @@ struct MirrorImage {
 
 // Images of a point in faces that it stands before, by 5 cm at least: the face that a tag sticks on
 // is none of its mirrors, its loss is that of what is behind a tag. Of two mirrors, those alone of
-// which each has a part before the other. Nothing that takes a way longer than `reach` [m] from
-// mirror to tag.
+// which each has a part before the other, and one has a part in the light that the other throws.
+// Nothing that takes a way longer than `reach` [m] from mirror to tag.
 std::vector<MirrorImage> images_of(const Eigen::Vector3d& point, std::span<const MirrorFace> faces,
                                    int most_mirrors, double reach);
 
