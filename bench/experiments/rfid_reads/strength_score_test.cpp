@@ -116,7 +116,8 @@ TEST(PlaceSearch, TheMostAlikePlaceHasTheSameReadings) {
   const Eigen::Vector3d a(0.0, 0.0, 1.0), b(1.0, 0.0, 1.0), c(2.0, 0.0, 1.0);
   // At c antenna 1 does not hear the tag; what another tag did there says nothing.
   const std::vector<StrengthReading> measured{{0, 0, a, -60.0}, {1, 0, a, -70.0}, {0, 0, b, -66.0},
-                                              {1, 0, b, -64.0}, {0, 0, c, -65.0}, {1, 1, c, -99.0}};
+                                              {1, 0, b, -64.0}, {0, 0, c, -65.0}, {0, 1, c, -99.0},
+                                              {1, 1, c, -99.0}};
   const auto found = [&](std::vector<StrengthReading> readings) {
     return most_alike(readings, measured);
   };
