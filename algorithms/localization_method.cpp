@@ -74,8 +74,9 @@ MonteCarloLocalizer::AllWeights weights_of(const Setup& setup, const Given& give
     }
     // First: where a tag answers, particles need not begin everywhere.
     for (std::size_t antenna = 0; antenna < setup.model.size() && !given.tags.empty(); ++antenna) {
-      weights.push_back(std::make_unique<RfidWeights>(
-          static_cast<int>(antenna), setup.model[antenna], given.tags, options.rfid.weights));
+      weights.push_back(std::make_unique<RfidWeights>(static_cast<int>(antenna),
+                                                      setup.model[antenna], given.tags, *given.map,
+                                                      options.rfid.weights));
     }
   }
   if (options.sensors != LocalizationSensors::rfid) {

@@ -42,6 +42,7 @@ DetectionTable::DetectionTable(const AntennaModel& antenna) : reach_(reach_of(an
   const Probabilities probabilities(antenna);
   const auto take = [&](const Eigen::Vector2d& place) {
     const double p = std::clamp(probabilities.at(place), kSurest, 1.0 - kSurest);
+    probabilities_.push_back(static_cast<float>(p));
     detected_.push_back(static_cast<float>(std::log(p)));
     missed_.push_back(static_cast<float>(std::log(1.0 - p)));
     if (has_rssi) rssi_.push_back(static_cast<float>(expected_rssi(*smooth, place)));

@@ -18,6 +18,9 @@ class DetectionTable {
   // ln p(z | x, r), of a tag at (x, y) [m] in the antenna's frame.
   float log_detected(float x, float y) const { return detected_[cell(x, y)]; }
   float log_missed(float x, float y) const { return missed_[cell(x, y)]; }
+  // p(z | x, r) of an answer.
+  float detected(float x, float y) const { return probabilities_[cell(x, y)]; }
+  float detected_far() const { return probabilities_.back(); }
   // The same of an answer of this strength [dBm], given that it came; 0 where strengths were not
   // learned.
   float log_rssi(float x, float y, float rssi) const {
@@ -43,7 +46,7 @@ class DetectionTable {
   double reach_ = 0.0;
   float half_ = 0.0F;     // [m] of the table
   std::size_t side_ = 0;  // cells
-  std::vector<float> detected_, missed_, rssi_;
+  std::vector<float> detected_, missed_, probabilities_, rssi_;
   float per_sigma_ = 0.0F;
 };
 

@@ -23,6 +23,16 @@ RfidDetections round_of(std::vector<std::string> tags, const Pose2& mount = {}) 
   return round;
 }
 
+// Free ground for 60 m about the origin.
+OccupancyMap open_ground() {
+  OccupancyMap map(GridFrame{.resolution = 0.5});
+  for (int y = -120; y < 120; ++y) {
+    for (int x = -120; x < 120; ++x) map.at({x, y}) = known(0.1);
+  }
+  return map;
+}
+const OccupancyMap kOpen = open_ground();
+
 double weight_at(const RfidWeights& weights, const Pose2& pose) {
   double weight = 0.0;
   weights.add_log_weights({&pose, 1}, {&weight, 1});
@@ -32,7 +42,7 @@ double weight_at(const RfidWeights& weights, const Pose2& pose) {
 // (7.2) by hand: half of what is believed lies in the arc, the other half where nothing is heard.
 TEST(RfidWeights, SumOverWhereTheTagMayBe) {
   const std::vector<TagBelief> tags{{"a", {{2.0, 0.0}, {-2.0, 0.0}}, {0.5, 0.5}}};
-  RfidWeights weights(0, kArc, tags, {.non_detections = false});
+  RfidWeights weights(0, kArc, tags, kOpen, {.non_detections = false});
   ASSERT_TRUE(weights.take(round_of({"a"}), {}));
   const double mean = 0.5 * (0.8 + 0.02);
   EXPECT_NEAR(weight_at(weights, {}), std::log(mean / 0.02), 1e-4);
@@ -41,8 +51,8 @@ TEST(RfidWeights, SumOverWhereTheTagMayBe) {
 
 TEST(RfidWeights, SilenceCountsWhereItIsAskedFor) {
   const std::vector<TagBelief> tags{{"a", {{2.0, 0.0}}, {1.0}}, {"b", {{3.0, 0.5}}, {1.0}}};
-  RfidWeights both(0, kArc, tags, {.non_detections = true});
-  RfidWeights heard(0, kArc, tags, {.non_detections = false});
+  RfidWeights both(0, kArc, tags, kOpen, {.non_detections = true});
+  RfidWeights heard(0, kArc, tags, kOpen, {.non_detections = false});
   ASSERT_TRUE(both.take(round_of({"a"}), {}));
   ASSERT_TRUE(heard.take(round_of({"a"}), {}));
   EXPECT_NEAR(weight_at(heard, {}), std::log(0.8 / 0.02), 1e-4);
@@ -51,9 +61,21 @@ TEST(RfidWeights, SilenceCountsWhereItIsAskedFor) {
   EXPECT_FALSE(heard.take(round_of({}), {}));
 }
 
+TEST(RfidWeights, SilenceOfATagBehindAWallSaysNothing) {
+  OccupancyMap walled = kOpen;
+  for (int y = -20; y < 20; ++y) walled.at({2, y}) = known(0.9);  // from x = 1 m to 1.5 m
+  const std::vector<TagBelief> tags{{"b", {{3.0, 0.5}}, {1.0}}};
+  RfidWeights open(0, kArc, tags, kOpen, {.non_detections = true});
+  RfidWeights behind(0, kArc, tags, walled, {.non_detections = true});
+  ASSERT_TRUE(open.take(round_of({}), {}));
+  ASSERT_TRUE(behind.take(round_of({}), {}));
+  EXPECT_NEAR(weight_at(open, {}), std::log(0.2 / 0.98), 1e-4);
+  EXPECT_EQ(weight_at(behind, {}), 0.0);
+}
+
 TEST(RfidWeights, TagsThatNobodyMappedAndOtherAntennasSayNothing) {
   const std::vector<TagBelief> tags{{"a", {{2.0, 0.0}}, {1.0}}};
-  RfidWeights weights(0, kArc, tags, {.non_detections = false});
+  RfidWeights weights(0, kArc, tags, kOpen, {.non_detections = false});
   EXPECT_FALSE(weights.take(round_of({"stranger"}), {}));
   RfidDetections other = round_of({"a"});
   other.antenna = 1;
@@ -63,7 +85,7 @@ TEST(RfidWeights, TagsThatNobodyMappedAndOtherAntennasSayNothing) {
 
 TEST(RfidWeights, TheAntennasMountCounts) {
   const std::vector<TagBelief> tags{{"a", {{0.0, 2.0}}, {1.0}}};
-  RfidWeights weights(0, kArc, tags, {.non_detections = false});
+  RfidWeights weights(0, kArc, tags, kOpen, {.non_detections = false});
   ASSERT_TRUE(weights.take(round_of({"a"}, {0.1, 0.0, radians(90.0)}), {}));
   EXPECT_NEAR(weight_at(weights, {}), std::log(0.8 / 0.02), 1e-4);
   EXPECT_NEAR(weight_at(weights, {0.0, 0.0, kPi}), 0.0, 1e-4);
@@ -72,7 +94,7 @@ TEST(RfidWeights, TheAntennasMountCounts) {
 // "We simply place samples only in the potential detection range", section 7.4.
 TEST(RfidWeights, ProposesPosesFromWhichTheTagIsHeard) {
   const std::vector<TagBelief> tags{{"a", {{7.0, -3.0}}, {1.0}}};
-  RfidWeights weights(0, kArc, tags, {.non_detections = false});
+  RfidWeights weights(0, kArc, tags, kOpen, {.non_detections = false});
   EXPECT_FALSE(weights.take(round_of({}), {}));
   Rng rng(4);
   EXPECT_FALSE(weights.propose(rng).has_value());
@@ -88,12 +110,12 @@ TEST(RfidWeights, ProposesPosesFromWhichTheTagIsHeard) {
 }
 
 TEST(RfidWeights, RefuseStrengthsThatWereNotLearned) {
-  EXPECT_THROW(RfidWeights(0, kArc, {}, {.rssi = true}), InputError);
+  EXPECT_THROW(RfidWeights(0, kArc, {}, kOpen, {.rssi = true}), InputError);
 }
 
 TEST(RfidWeights, AStrongAnswerComesFromNear) {
   const std::vector<TagBelief> tags{{"a", {{0.0, 0.0}}, {1.0}}};
-  RfidWeights weights(0, SmoothAntenna{}, tags, {.non_detections = false, .rssi = true});
+  RfidWeights weights(0, SmoothAntenna{}, tags, kOpen, {.non_detections = false, .rssi = true});
   RfidDetections round = round_of({"a"});
   round.reads[0].rssi = SmoothAntenna{}.rssi;  // as from 1 m ahead
   ASSERT_TRUE(weights.take(round, {}));
