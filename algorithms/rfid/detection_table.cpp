@@ -6,6 +6,7 @@
 namespace mapbed {
 namespace {
 
+constexpr double kHeardAtTimes = 0.05;
 constexpr double kSurest = 1e-4;  // nothing that was learned is surer
 
 // p(detected) by place; a histogram's rates are worked out once.
@@ -43,6 +44,9 @@ DetectionTable::DetectionTable(const AntennaModel& antenna) : reach_(reach_of(an
   const auto take = [&](const Eigen::Vector2d& place) {
     const double p = std::clamp(probabilities.at(place), kSurest, 1.0 - kSurest);
     probabilities_.push_back(static_cast<float>(p));
+    if (p > kHeardAtTimes && place.norm() < 2.0 * reach_) {
+      silence_reach_ = std::max(silence_reach_, place.norm());
+    }
     detected_.push_back(static_cast<float>(std::log(p)));
     missed_.push_back(static_cast<float>(std::log(1.0 - p)));
     if (has_rssi) rssi_.push_back(static_cast<float>(expected_rssi(*smooth, place)));

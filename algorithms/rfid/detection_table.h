@@ -31,6 +31,8 @@ class DetectionTable {
 
   bool knows_rssi() const { return !rssi_.empty(); }
   double reach() const { return reach_; }  // [m] from here on all places are alike
+  // [m] beyond it silence says next to nothing: fewer than one round in twenty is answered anyhow.
+  double silence_reach() const { return silence_reach_; }
 
  private:
   // The last one for all that is farther away.
@@ -44,6 +46,7 @@ class DetectionTable {
 
   static constexpr float kPerCell = static_cast<float>(1.0 / kCell);
   double reach_ = 0.0;
+  double silence_reach_ = 0.0;
   float half_ = 0.0F;     // [m] of the table
   std::size_t side_ = 0;  // cells
   std::vector<float> detected_, missed_, probabilities_, rssi_;

@@ -14,6 +14,7 @@
 namespace mapbed {
 namespace {
 
+constexpr float kSaysNothing = 0.01F;   // of ln p
 constexpr double kLeastSpacing = 0.04;  // [m]
 constexpr double kSamePlace = 0.15;     // [m] from where the same things are seen
 
@@ -41,7 +42,6 @@ TagMapper::TagMapper(const LearnedRfid& model, const TagMapperOptions& options, 
 
 TagMapper::Tag TagMapper::make_tag(const std::string& name, const Eigen::Vector2d& robot) const {
   Tag tag;
-  tag.first_heard_from = robot;
   Rng rng = rng_.stream(name);
   const auto count = static_cast<std::size_t>(options_.positions);
   for (std::size_t i = 0; i < count; ++i) {
@@ -50,7 +50,17 @@ TagMapper::Tag TagMapper::make_tag(const std::string& name, const Eigen::Vector2
   }
   tag.log_weights.assign(count, 0.0);
   tag.spacing = side_ / std::sqrt(static_cast<double>(count));
+  take_note_of_extent(tag);
   return tag;
+}
+
+void TagMapper::take_note_of_extent(Tag& tag) {
+  const auto [left, right] = std::minmax_element(tag.x.begin(), tag.x.end());
+  const auto [low, high] = std::minmax_element(tag.y.begin(), tag.y.end());
+  const Eigen::Vector2d min(static_cast<double>(*left), static_cast<double>(*low));
+  const Eigen::Vector2d max(static_cast<double>(*right), static_cast<double>(*high));
+  tag.middle = 0.5 * (min + max);
+  tag.extent = 0.5 * (max - min).norm();
 }
 
 // Resampling with a kernel as wide as the gaps between positions, which halve with it.
@@ -69,6 +79,7 @@ void TagMapper::redraw_if_few(const std::string& name, Tag& tag) const {
   tag.y = std::move(drawn.y);
   tag.log_weights.assign(tag.x.size(), 0.0);
   tag.spacing = std::max(kLeastSpacing, 0.5 * tag.spacing);
+  take_note_of_extent(tag);
 }
 
 // How much a reading counts: the k-th one from about the same place 1/k - so that all of them
@@ -111,8 +122,8 @@ void TagMapper::take(Tag& tag, const PastRound& round, const RfidRead* read, dou
     const float x = c * tag.x[i] - s * tag.y[i] + dx;
     const float y = s * tag.x[i] + c * tag.y[i] + dy;
     float value = read != nullptr ? table.log_detected(x, y) : table.log_missed(x, y);
-    const bool is_hidden = read == nullptr && value != far && round.sight != nullptr &&
-                           !round.sight->sees(tag.x[i], tag.y[i]);
+    const bool is_hidden = read == nullptr && value < far - kSaysNothing &&
+                           round.sight != nullptr && !round.sight->sees(tag.x[i], tag.y[i]);
     if (is_hidden) value = far;
     if (strength) value += table.log_rssi(x, y, rssi);
     tag.log_weights[i] += weight * static_cast<double>(value);
@@ -120,8 +131,8 @@ void TagMapper::take(Tag& tag, const PastRound& round, const RfidRead* read, dou
 }
 
 bool TagMapper::may_hear(const Tag& tag, int antenna, const Eigen::Vector2d& place) const {
-  const double reach = tables_[static_cast<std::size_t>(antenna)].reach();
-  return (place - tag.first_heard_from).norm() <= reach + side_ / std::sqrt(2.0);
+  const double reach = tables_[static_cast<std::size_t>(antenna)].silence_reach();
+  return (place - tag.middle).norm() <= reach + tag.extent;
 }
 
 // Where all positions are beyond reach, silence tells them not apart.

@@ -64,8 +64,9 @@ class TagMapper {
 
  private:
   struct Tag {
-    Eigen::Vector2d first_heard_from;  // [m] the robot's place then
-    std::vector<float> x, y;           // [m]
+    Eigen::Vector2d middle;   // [m] of the box about all positions
+    double extent = 0.0;      // [m] they lie within it
+    std::vector<float> x, y;  // [m]
     std::vector<double> log_weights;
     int detections = 0;
     double spacing = 0.0;  // [m] of neighbouring positions
@@ -84,6 +85,7 @@ class TagMapper {
   Tag make_tag(const std::string& name, const Eigen::Vector2d& robot) const;
   bool may_hear(const Tag& tag, int antenna, const Eigen::Vector2d& place) const;
   void take_silence(Tag& tag, const PastRound& round) const;
+  static void take_note_of_extent(Tag& tag);
   void redraw_if_few(const std::string& name, Tag& tag) const;
   double news(Tag& tag, int antenna, const Eigen::Vector2d& place) const;
   std::shared_ptr<const LineOfSight> sight_from(const Eigen::Vector2d& place);

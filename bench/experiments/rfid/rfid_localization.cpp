@@ -9,6 +9,7 @@
 #include "algorithms/grid/wall_map.h"
 #include "algorithms/input/input_stage.h"
 #include "algorithms/rfid/learned_rfid.h"
+#include "algorithms/rfid/tag_answer.h"
 #include "algorithms/rfid/tag_mapper.h"
 #include "bench/experiments/localization_blocks.h"
 #include "bench/experiments/rfid/posed_rounds.h"
@@ -20,6 +21,7 @@
 #include "core/image/png.h"
 #include "core/input_error.h"
 #include "core/statistics/quantile.h"
+#include "worlds/world.h"
 
 namespace mapbed {
 namespace {
@@ -111,6 +113,22 @@ PlaceErrors errors_of(const Trajectory& path, const Trajectory& truth, double wr
   return result;
 }
 
+// Of the map that the robot is found by.
+void add_tag_errors(const MappedPlace& place, const LogInput& drive, RunOutcome& outcome) {
+  if (drive.world == nullptr) return;
+  std::vector<double> errors;
+  for (const TagBelief& belief : place.tags) {
+    for (const RfidTag& tag : drive.world->tags) {
+      if (tag.id != belief.tag) continue;
+      const Eigen::Vector2d truth = tag.world_from_tag.position.head<2>();
+      errors.push_back((answer_of(belief).most_likely - truth).norm());
+    }
+  }
+  if (errors.empty()) return;
+  outcome.values.emplace_back("tag_error_median", median_of(errors));
+  outcome.values.emplace_back("tag_error_90", quantile_of(errors, 0.9));
+}
+
 RunOutcome run(const Setup& setup, const RunInput& whole_input) {
   const RfidLocalizationOptions& options = setup.options;
   const RunInput input = shortened(whole_input, options.longest);
@@ -150,6 +168,7 @@ RunOutcome run(const Setup& setup, const RunInput& whole_input) {
     outcome.values.emplace_back("not_known", 1.0 * block.unknown / block.scans);
     outcome.values.emplace_back("wrongly_known", 1.0 * block.wrongly_known / block.scans);
   }
+  add_tag_errors(place, drive, outcome);
   outcome.series.push_back({"error", std::move(errors.over_time)});
   if (input.shown && !known_box(*place.map).empty()) {
     outcome.files.push_back(
@@ -209,7 +228,9 @@ Experiment rfid_localization_experiment() {
                        "be known"},
                       {"wrongly_known", Unit::none,
                        "fraction of the scans whose place is known, and wrong"},
-                      {"tags", Unit::none, "that were mapped"}},
+                      {"tags", Unit::none, "that were mapped"},
+                      {"tag_error_median", Unit::meter, "of their most likely positions"},
+                      {"tag_error_90", Unit::meter, "below which nine in ten of them lie"}},
           .configure = configure,
           .series = {{"error", Unit::meter, "time", Unit::second, "error of the position"}},
           .further_logs = {kMapping}};
