@@ -48,9 +48,11 @@ void BM_WeighParticles(benchmark::State& state) {
     weighting.weights->add_log_weights(weighting.particles, weighting.log_weights);
     benchmark::ClobberMemory();
   }
-  const double beams = weighting.weights->readings() / LaserWeightOptions{}.beam_weight;
-  state.SetItemsProcessed(static_cast<std::int64_t>(beams) * state.iterations() *
-                          static_cast<std::int64_t>(kParticles));
+  std::int64_t beams = 0;
+  for (std::size_t k = 0; k < weighting.scan.ranges.size(); ++k) {
+    beams += weighting.scan.is_hit(k) ? 1 : 0;
+  }
+  state.SetItemsProcessed(beams * state.iterations() * static_cast<std::int64_t>(kParticles));
 }
 BENCHMARK(BM_WeighParticles)->Unit(benchmark::kMillisecond);
 
