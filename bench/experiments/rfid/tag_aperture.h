@@ -12,13 +12,13 @@
 namespace mapbed {
 
 struct TagApertureOptions {
-  double spacing = 0.03;      // [m] between reads
+  double spacing = 0.05;      // [m] between reads
   double step = 0.04;         // [m] of the search
   double about = 1.0;         // [m] that is searched about the most likely position
   double low = 0.3;           // [m] least height of a tag over the floor
   double high = 2.0;          // [m] largest
   double reads_within = 3.0;  // [m] of it: reads from farther away are reflections more often
-  int most_reads = 600;       // that are nearest
+  int most_reads = 200;       // that are nearest
 };
 
 template <class Visitor>
