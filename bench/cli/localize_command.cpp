@@ -17,6 +17,7 @@
 #include "bench/cli/output_folder.h"
 #include "bench/cli/progress.h"
 #include "bench/cli/told_log.h"
+#include "bench/cli/told_tags.h"
 #include "bench/process/folder_lock.h"
 #include "bench/process/foreign_files.h"
 #include "bench/process/process_cost.h"
@@ -36,6 +37,7 @@ namespace fs = std::filesystem;
 struct LocalizeArguments {
   std::string log;
   std::string map;
+  std::string tags;
   std::string start;
   std::string people_filter;
   std::string config_file;
@@ -130,8 +132,9 @@ void check_folder(const std::string& folder) {
 }
 
 // Of the whole log, or of what came before an interruption.
-void localize(const PreparedLog& prepared, const std::optional<Pose2>& start, LocalizeRun& run) {
-  const Given given{.start = start, .map = run.map};
+void localize(const PreparedLog& prepared, const std::optional<Pose2>& start,
+              const std::vector<TagBelief>& tags, LocalizeRun& run) {
+  const Given given{.start = start, .map = run.map, .tags = tags};
   const auto estimator = std::get<ConfiguredMethod>(run.config.chosen.what)
                              .make(given, Rng(run.config.seed).stream(run.config.method));
   const InterruptGuard interrupt;
@@ -175,20 +178,32 @@ int localize_log(const LocalizeArguments& arguments) {
   LocalizeRun run{.config = map_config_from(settings, {.log = chosen.options}),
                   .map_path = arguments.map,
                   .map = map_from(arguments.map),
+                  .tags_path = arguments.tags,
                   .estimate = {}};
   if (start) check_start(*start, *run.map, arguments.map);
+  std::vector<TagBelief> tags;
+  if (!arguments.tags.empty()) tags = tags_on_map(arguments.tags, *run.map);
   const std::string folder = folder_for(arguments);
   check_folder(folder);  // refused before the log is read
   RecordedLog log = while_told("reading", [&] { return load_log(chosen.path, run.config.log); });
   const std::vector<Remark> of_geometry = choose_geometry(log);
   print_log(arguments.log, log, stopwatch.seconds());
+  if (tags.empty() && !has_scans(log.measurements)) {
+    throw InputError({arguments.log}, "holds no laser scan",
+                     "say where its RFID tags are by --tags, or take another log");
+  }
+  if (!tags.empty()) check_has_rounds(arguments.log, log.measurements);
+  const std::vector<Remark> of_tags = tags.empty()
+                                          ? std::vector<Remark>{}
+                                          : remarks_on_tags(arguments.tags, tags, log.measurements);
   PreparedLog prepared = mapbed::prepared(std::move(log.measurements), run.config.input);
   prepared.remarks.insert(prepared.remarks.begin(), of_geometry.begin(), of_geometry.end());
   const OutputFolder made(folder);
   const FolderLock lock(folder);
-  localize(prepared, start, run);
+  prepared.remarks.insert(prepared.remarks.end(), of_tags.begin(), of_tags.end());
+  localize(prepared, start, tags, run);
   if (run.estimate.trajectory.empty()) {
-    fmt::print(stderr, "mapbed: interrupted before the first scan; nothing was written\n");
+    fmt::print(stderr, "mapbed: interrupted before the first pose; nothing was written\n");
     return kInterrupted;
   }
   write_localize_run(folder, arguments.log, run);
@@ -212,6 +227,10 @@ Command localize_command() {
             .target = &arguments->map,
             .help = "map of the place in the form of ROS' map_server: its .yaml",
             .is_required = true},
+           {"--tags", &arguments->tags,
+            "where RFID tags are: a table tag,x,y of known places, or tag,x,y,weight of beliefs, "
+            "in "
+            "the map's frame; what the log's reader hears of them counts, too"},
            {"--start", &arguments->start,
             "where the robot is at the first scan, as in '2 m, 1.5 m, 90 deg'; anywhere where left "
             "out"},

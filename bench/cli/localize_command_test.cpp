@@ -1,5 +1,7 @@
 // `mapbed localize` from the command line to the files that it writes.
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -7,6 +9,7 @@
 #include "algorithms/grid/map_file.h"
 #include "algorithms/grid/wall_map.h"
 #include "bench/cli/testing/command_test.h"
+#include "core/file/text_file.h"
 #include "core/geometry/tum_file.h"
 #include "core/image/samples.h"
 #include "core/log/dialects/carmen_log.h"
@@ -117,6 +120,73 @@ TEST_F(LocalizeCommand, RefusesAFolderThatHoldsSomethingElse) {
   fs::create_directory(path("other"));
   write("other/picture.png", "mine");
   expect_refused(run({"-o", "other"}), "picture.png");
+}
+
+// Four tags in the room's corners, heard by an antenna that looks ahead, once a second.
+class LocalizeByTags : public LocalizeCommand {
+ protected:
+  LocalizeByTags() {
+    write_file("tags.csv", "tag,x,y\nsw,-3.9,-2.4\nse,3.9,-2.4\nne,3.9,2.4\nnw,-3.9,2.4\n");
+    const std::vector<std::pair<std::string, Eigen::Vector2d>> tags{
+        {"sw", {-3.9, -2.4}}, {"se", {3.9, -2.4}}, {"ne", {3.9, 2.4}}, {"nw", {-3.9, 2.4}}};
+    RecordedLog log;
+    for (const Stamped<Pose2>& pose : log_.true_poses) {
+      RfidDetections round{.time = pose.time, .robot_from_antenna = {}, .reads = {}};
+      for (const auto& [name, place] : tags) {
+        const Eigen::Vector2d seen = inverse(pose.pose) * place;
+        const bool ahead = std::abs(std::atan2(seen.y(), seen.x())) < 0.7;
+        if (ahead && seen.norm() < 5.0) round.reads.push_back({name, -50.0, 1.0});
+      }
+      rounds_.emplace_back(round);
+    }
+  }
+
+  void write_file(const std::string& name, const std::string& text) const {
+    write_text_file(path(name), text);
+  }
+  // The log with the rounds, with or without its scans.
+  void write_log(bool with_scans) {
+    RecordedLog log = log_;
+    if (!with_scans) {
+      std::erase_if(log.measurements,
+                    [](const Measurement& m) { return std::holds_alternative<LaserScan>(m); });
+    }
+    log.measurements.insert(log.measurements.end(), rounds_.begin(), rounds_.end());
+    std::stable_sort(log.measurements.begin(), log.measurements.end(),
+                     [](const auto& a, const auto& b) { return time_of(a) < time_of(b); });
+    write_carmen_log(path("room.log"), log);
+  }
+
+  SensorLog rounds_;
+};
+
+TEST_F(LocalizeByTags, TagsAreOfHelpBesideTheLaserAndAloneGiveAPath) {
+  write_log(true);
+  const Outcome both = run({"--tags", "tags.csv", "-o", "both"});
+  ASSERT_EQ(both.status, 0) << both.err;
+  EXPECT_THAT(load_trajectory(path("both/trajectory.tum")).back().pose,
+              IsNear(log_.true_poses.back().pose, {0.15, 0.05}));
+  EXPECT_THAT(text("both/summary.json"), HasSubstr("\"tags\": \"tags.csv\""));
+  write_log(false);
+  const Outcome alone = run({"--tags", "tags.csv", "-o", "alone"});
+  ASSERT_EQ(alone.status, 0) << alone.err;
+  EXPECT_EQ(load_trajectory(path("alone/trajectory.tum")).size(), rounds_.size());
+}
+
+TEST_F(LocalizeByTags, WhatIsWrongWithTagsIsTold) {
+  EXPECT_THAT(run({"--tags", "tags.csv"}).err, HasSubstr("has no round of an RFID reader"));
+  write_log(true);
+  write_file("far.csv", "tag,x,y\nsw,500,0\n");
+  EXPECT_THAT(run({"--tags", "far.csv"}).err, HasSubstr("none of its tags lies on the map"));
+  write_file("twice.csv", "tag,x,y\nsw,1,0\nse,1,1\nsw,2,0\n");
+  EXPECT_THAT(run({"--tags", "twice.csv"}).err, HasSubstr("twice.csv:4: tag 'sw' comes a second"));
+  write_file("others.csv", "tag,x,y\nnobody,1,0\n");
+  const Outcome strangers = run({"--tags", "others.csv", "-o", "strangers"});
+  EXPECT_EQ(strangers.status, 0) << strangers.err;
+  EXPECT_THAT(strangers.err, AllOf(HasSubstr("none of the 1 tags of others.csv answers"),
+                                   HasSubstr("tags answer that others.csv does not know")));
+  write_log(false);
+  EXPECT_THAT(run({}).err, HasSubstr("say where its RFID tags are by --tags"));
 }
 
 }  // namespace

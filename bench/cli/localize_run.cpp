@@ -70,6 +70,8 @@ std::string summary_json(const std::string& log_name, const LocalizeRun& run) {
       {"command", kCommand},
       {"log", escaped_utf8(log_name)},
       {"map", escaped_utf8(run.map_path)},
+      {"tags",
+       run.tags_path.empty() ? nlohmann::json() : nlohmann::json(escaped_utf8(run.tags_path))},
       {"seed", run.config.seed},
       {"complete", run.complete},
       {"scans_used", known.scans},

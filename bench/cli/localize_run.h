@@ -15,6 +15,7 @@ struct LocalizeRun {
   MapConfig config;  // its `map` and `map_file` mean nothing here
   std::string map_path;
   std::shared_ptr<const OccupancyMap> map;
+  std::string tags_path = {};  // empty: none are given
   Estimate estimate;
   bool complete = true;
 };
