@@ -126,7 +126,8 @@ void add_files(const std::vector<LearnedAntenna>& learned, const RunInput& input
     histogram.push_back(antenna.histogram);
     smooth.push_back(antenna.smooth);
   }
-  const std::string comment = fmt::format("# Learned by\n#   ./mapbed run ch7_sensor_model --seed {} --set seeds=1\n", input.seed);
+  const std::string comment = fmt::format(
+      "# Learned by\n#   ./mapbed run ch7_sensor_model --seed {} --set seeds=1\n", input.seed);
   outcome.files.push_back({"learned/piecewise.yaml", to_yaml(piecewise, comment)});
   outcome.files.push_back({"learned/histogram.yaml", to_yaml(histogram, comment)});
   outcome.files.push_back({"learned/smooth.yaml", to_yaml(smooth, comment)});
