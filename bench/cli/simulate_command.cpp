@@ -90,6 +90,16 @@ void check_output(const std::string& log, const LogFormat& format) {
   if (is_there && !is_special_file(log) && !is_simulated_log(log)) refuse_foreign(log);
 }
 
+// Before anything is recorded.
+void refuse_unwritable_rfid(const std::string& log, const LogFormat& format, const Robot& robot) {
+  if (format.has_rfid || antennas_of(robot).empty()) return;
+  throw InputError({log},
+                   fmt::format("the robot {} has RFID antennas, and the format {} cannot say what "
+                               "they hear",
+                               robot.name, format.name),
+                   "write a CARMEN log, as x.log");
+}
+
 // [m] of the path that is driven: how long the work will be.
 std::size_t path_meters(const NamedPath& path) {
   double meters = 0.0;
@@ -113,6 +123,7 @@ int simulate(SimulateArguments arguments) {
   check_output(arguments.log, format);
   const SimulationToRun to_run =
       while_told("building the world", [&] { return simulation_of(arguments); });
+  refuse_unwritable_rfid(log, format, to_run.simulation.robot);
   refuse_files_of_another_log(log, format, to_run.simulation, to_run.seed);
   const Stopwatch stopwatch;
   const SimulationResult result = told_simulation(to_run);

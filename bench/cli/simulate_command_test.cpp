@@ -73,6 +73,16 @@ TEST_F(SimulateCommand, WritesRoundsOfAnRfidReaderAndWhatIsBehindThem) {
   EXPECT_THAT(call({"describe", "a.truth.gz"}).out, HasSubstr("RFID tags: 40, read "));
 }
 
+TEST_F(SimulateCommand, RefusesAFormatWithoutRfidBeforeItRecords) {
+  for (const char* log : {"x.mcap", "x.bag", "x.rawlog"}) {
+    // An hour's drive: it would not be over before the test is.
+    expect_refusal({"simulate", "--world", "office", "--robot", "pioneer_rfid", "--path",
+                    "tag_tour", "--set", "driver.speed=0.2 m/s", "-o", log},
+                   "cannot say what they hear; write a CARMEN log, as x.log");
+    EXPECT_FALSE(fs::exists(path(log)));
+  }
+}
+
 TEST_F(SimulateCommand, WritesBagsOfEachKindThatGiveTheSameTrajectory) {
   std::vector<std::string> ros2 = short_drive("c");
   ros2.insert(ros2.end(), {"--format", "ros2"});

@@ -12,11 +12,13 @@ namespace mapbed {
 std::span<const LogFormat> log_formats() {
   static const LogFormat table[] = {
       {"carmen", ".log", "CARMEN: ROBOTLASER and ODOM lines",
-       [](const std::string& path, const RecordedLog& log) { write_carmen_log(path, log); }},
+       [](const std::string& path, const RecordedLog& log) { write_carmen_log(path, log); }, false,
+       true},
       {"carmen_flaser", ".log", "CARMEN of before 2008: FLASER, RLASER and ODOM lines",
        [](const std::string& path, const RecordedLog& log) {
          write_carmen_log(path, log, CarmenDialect::flaser);
-       }},
+       },
+       false, true},
       {"rawlog", ".rawlog", "MRPT: an action and a sensory frame for each scan", write_rawlog},
       {"ros1", ".bag", "bag of ROS 1: LaserScan, Odometry, tf", write_rosbag1},
       {"ros2", "", "bag of ROS 2, a folder: the same, in SQLite", write_rosbag2, true},

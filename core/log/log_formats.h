@@ -16,6 +16,7 @@ struct LogFormat {
   const char* about = "";
   void (*write)(const std::string& path, const RecordedLog& log) = nullptr;
   bool is_folder = false;
+  bool has_rfid = false;  // it can say what an RFID reader heard
 };
 
 std::span<const LogFormat> log_formats();
