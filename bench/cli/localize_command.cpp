@@ -55,6 +55,12 @@ Settings settings_from(const LocalizeArguments& arguments) {
     if (!text.empty()) settings.push_back({path, text, {option + (" " + text), 0}});
   };
   settings.push_back({"method", "localization", {}});
+  // Tags of a place of one's own answer otherwise than those that a model was learned of, and their
+  // silence would be taken for distance.
+  const std::string silence = "localization.rfid.non_detections";
+  const bool is_told = std::any_of(settings.begin(), settings.end(),
+                                   [&](const Setting& setting) { return setting.path == silence; });
+  if (!is_told) settings.push_back({silence, "false", {}});
   add("people_filter", "--people-filter", arguments.people_filter);
   add("seed", "--seed", arguments.seed);
   return settings;
