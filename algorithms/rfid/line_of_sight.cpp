@@ -3,12 +3,11 @@
 #include <cmath>
 
 #include "algorithms/grid/traversal.h"
+#include "algorithms/localization/free_space.h"
 #include "core/geometry/angle.h"
 
 namespace mapbed {
 namespace {
-
-constexpr float kOccupied = 0.5F;
 
 // [m] along a beam until it has met something occupied.
 double range_of(const OccupancyMap& map, const Eigen::Vector2d& from, double bearing,
@@ -17,7 +16,7 @@ double range_of(const OccupancyMap& map, const Eigen::Vector2d& from, double bea
   double passed = 0.0, met = reach;
   bool is_open = true;
   const auto look = [&](CellIndex cell, double length) {
-    if (is_open && map[cell].probability > kOccupied) {
+    if (is_open && is_occupied(map[cell])) {
       met = passed;
       is_open = false;
     }

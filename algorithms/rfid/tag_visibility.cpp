@@ -1,22 +1,17 @@
 #include "algorithms/rfid/tag_visibility.h"
 
 #include "algorithms/grid/traversal.h"
+#include "algorithms/localization/free_space.h"
 #include "algorithms/rfid/line_of_sight.h"
 
 namespace mapbed {
-namespace {
-
-constexpr float kOccupied = 0.5F;
-
-}  // namespace
-
 bool is_in_sight(const OccupancyMap& map, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   const double distance = (to - from).norm();
   if (distance <= LineOfSight::kThickness) return true;
   const Eigen::Vector2d end = from + (1.0 - LineOfSight::kThickness / distance) * (to - from);
   bool is_open = true;
   const auto look = [&](CellIndex cell, double) {
-    if (map[cell].probability > kOccupied) is_open = false;
+    if (is_occupied(map[cell])) is_open = false;
   };
   const CoveredCell last = traverse(from, end, map.frame(), look);
   look(last.cell, last.length);
@@ -27,7 +22,7 @@ TagVisibility::TagVisibility(const OccupancyMap& map, std::span<const Eigen::Vec
                              double distance)
     : lists_(squares_) {
   map.for_each([&](CellIndex cell, const Occupancy& occupancy) {
-    if (!occupancy.known() || occupancy.probability >= kOccupied) return;
+    if (!is_free(occupancy)) return;
     const Eigen::Vector2d place = map.frame().center_of(cell);
     std::int32_t& list = lists_.at(lists_.cell_of(place));
     if (list != 0) return;  // by the first of the square's free cells
